@@ -168,7 +168,7 @@ bool StoreReader::contradicts(std::string_view values) const {
     return marks_.contradicts(values);
 }
 
-Result<bool> StoreReader::look_again() const {
+Result<bool> StoreReader::refresh() const {
     auto now = ValueMarks::read(layout_, *disk_);
     if (!now)
         return tl::unexpected(now.error());
@@ -183,7 +183,7 @@ Result<bool> StoreReader::look_again() const {
 
 // Steps of two different imports must never meet in one interpolation.
 Result<std::uint32_t> StoreReader::checksum(std::size_t column, std::size_t index) const {
-    const auto same = look_again();
+    const auto same = refresh();
     if (!same)
         return tl::unexpected(same.error());
     const std::scoped_lock lock(mutex_);

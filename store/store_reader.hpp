@@ -63,7 +63,7 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     bool whole(std::size_t index) const;
     std::size_t bytes_per_step() const override;
 
-    /// Returns the marks that identify its values, as far as they are known: see look_again().
+    /// Returns the marks that identify its values, as far as they are known: see refresh().
     ValueMarks marks() const;
 
     /// Returns their ValueMarks::text.
@@ -73,7 +73,7 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
 
     /// Learns the checksums that have come. False where those known are others by now: the store was
     /// replaced. Error: Io.
-    core::Result<bool> look_again() const;
+    core::Result<bool> refresh() const;
 
     /// Loads a time-step. Corrupt: truncated, another checksum, or the store was replaced.
     core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t index,

@@ -12,14 +12,14 @@ from .beginning import begin, last_time
 from .chrome import find_browser
 from .errors import PictureFailed, WakesurfError
 from .names import snake
-from .own_words import in_options
+from .name_mapping import in_options
 from .plain import Json
 from .progress import Progress
 from .serve import serve
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
-    """Reads arguments as server/app/surface_picture.cpp writes them: the work, the dataset, the file, and options of
+    """Reads arguments as server/app/surface_command.cpp writes them: the work, the dataset, the file, and options of
     the server. Returns the exit status."""
     job, dataset, output, *options = sys.argv[1:] if arguments is None else arguments
     for stream in (sys.stdout, sys.stderr):  # names of files are bytes, and go out as they came

@@ -1,4 +1,4 @@
-# Writes OUTPUT, the source of built_commit.hpp, when the commit of SOURCES has changed: cmake -DSOURCES= -DOUTPUT= [-DCOMMIT=] -P.
+# Writes OUTPUT, the source of built_commit() of version.hpp, when the commit of SOURCES has changed: cmake -DSOURCES= -DOUTPUT= [-DCOMMIT=] -P.
 # COMMIT wins, for builds without git; then git; then what `git archive` wrote into packaging/commit.txt.
 if(NOT COMMIT)
     find_program(GIT git)
@@ -19,7 +19,7 @@ if(NOT COMMIT MATCHES "^[0-9a-f]+( with changes)?$")
     set(COMMIT unknown)
 endif()
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
-#include "server/app/built_commit.hpp"
+#include "server/app/version.hpp"
 
 namespace wakesurf::server {
 

@@ -1,9 +1,7 @@
-#include "server/app/generate_command.hpp"
-
 #include "core/field/analytic_flow.hpp"
-#include "server/app/failure.hpp"
-#include "server/app/stop_on_signal.hpp"
-#include "server/app/tell.hpp"
+#include "server/app/command_output.hpp"
+#include "server/app/commands.hpp"
+#include "server/app/stop_tokens.hpp"
 #include "store/command/layout_option.hpp"
 #include "store/store_generation.hpp"
 #include "store/store_grid.hpp"

@@ -1,7 +1,6 @@
-#include "server/app/import_command.hpp"
-
-#include "server/app/failure.hpp"
-#include "server/app/stop_on_signal.hpp"
+#include "server/app/command_output.hpp"
+#include "server/app/commands.hpp"
+#include "server/app/stop_tokens.hpp"
 #include "server/data/dataset_argument.hpp"
 #include "server/data/import_process.hpp"
 

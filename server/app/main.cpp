@@ -1,22 +1,13 @@
 // The program `wakesurf`: parses the command line and hands over to one command.
-#include "server/app/bench_command.hpp"
-#include "server/app/built_commit.hpp"
+
+#include "core/base/result.hpp"
+#include "protocol/api/base/nearest_name.hpp"
+#include "server/app/command_output.hpp"
+#include "server/app/commands.hpp"
 #include "server/app/environment.hpp"
-#include "server/app/failure.hpp"
-#include "server/app/family_command.hpp"
-#include "server/app/generate_command.hpp"
-#include "server/app/implied_command.hpp"
-#include "server/app/import_command.hpp"
-#include "server/app/info_command.hpp"
-#include "server/app/manual_chapters.hpp"
-#include "server/app/mcp_command.hpp"
-#include "server/app/serve_command.hpp"
-#include "server/app/sessions_command.hpp"
-#include "server/app/shell_completion.hpp"
-#include "server/app/state_command.hpp"
-#include "server/app/surface_command.hpp"
-#include "server/app/tell.hpp"
-#include "server/app/version_text.hpp"
+#include "server/app/packaged_texts.hpp"
+#include "server/app/version.hpp"
+#include "server/data/dataset_argument.hpp"
 #include "store/command/layout_option.hpp"
 #include "store/command/manual_page.hpp"
 #include "store/command/memory_size.hpp"
@@ -29,12 +20,61 @@
 #include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
+using namespace wakesurf;
 using namespace wakesurf::server;
 
 constexpr int failed = 1;
+
+std::vector<std::string> command_names(const CLI::App& program) {
+    std::vector<std::string> names;
+    for (const CLI::App* each : program.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(each->get_name());
+    return names;
+}
+
+/// Commands consist of letters and dashes; files have dots, folders slashes, flows a colon.
+bool looks_like_command(const std::string& word) {
+    return word.find_first_of("./:") == std::string::npos;
+}
+
+/// The words of a command line with its command in front.
+struct CommandWords {
+    std::vector<std::string> words;
+    /// The command was added: the data are served, and the page is opened.
+    bool implied = false;
+};
+
+/// Adds the command if it is missing: `wakesurf case.foam`. A word that is neither a command nor existing data counts as a mistyped
+/// command, unless it looks like a file's name. Error: InvalidArgument, with the command that may be meant.
+/// @param words  without the program
+core::Result<CommandWords> with_command(const CLI::App& program, std::vector<std::string> words) {
+    const auto as_serve = [&words] {
+        words.insert(words.begin(), "serve");
+        return CommandWords{std::move(words), true};
+    };
+    if (words.empty())
+        return as_serve();
+    const std::string first = words.front();
+    if (first.starts_with('-')) {
+        const bool known = program.get_option_no_throw(first) != nullptr;
+        return known ? CommandWords{std::move(words), false} : as_serve();
+    }
+    const auto names = command_names(program);
+    if (std::find(names.begin(), names.end(), first) != names.end())
+        return CommandWords{std::move(words), false};
+    if (const auto there = resolve_dataset(first);
+        there || there.error().code != core::Error::Code::NotFound || !looks_like_command(first))
+        return as_serve(); // which explains the error
+    const std::string meant = protocol::nearest_name(first, names);
+    return core::fail(core::Error::Code::InvalidArgument,
+                      "`" + first + "` is no command, and there is no file or folder of this name",
+                      meant.empty() ? "wakesurf --help lists the commands"
+                                    : "did you mean `wakesurf " + meant + "`?");
+}
 
 void add_import_options(CLI::App& command, ImportOptions& options) {
     command.add_option("DATASET", options.dataset, "A file or folder of simulation results")

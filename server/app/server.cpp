@@ -1,28 +1,27 @@
 #include "server/app/server.hpp"
 
 #include "protocol/api/json_rpc.hpp"
-#include "server/base/late_file.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/log_text.hpp"
 #include "server/base/process_account.hpp"
 #include "server/base/shipped_files.hpp"
-#include "server/data/catalogue_datasets.hpp"
-#include "server/live/compute/thread_priority.hpp"
+#include "server/base/write_behind_file.hpp"
+#include "server/data/datasets.hpp"
+#include "server/live/compute/worker_threads.hpp"
 #include "server/net/http_connection.hpp"
 #include "server/net/io_loop.hpp"
-#include "server/net/kept_logins.hpp"
 #include "server/net/listener.hpp"
-#include "server/net/methods/cache_news.hpp"
-#include "server/net/methods/dataset_entry.hpp"
+#include "server/net/login_store.hpp"
+#include "server/net/methods/dataset_answers.hpp"
 #include "server/net/methods/family_jobs.hpp"
 #include "server/net/methods/import_waiters.hpp"
 #include "server/net/methods/method.hpp"
-#include "server/net/methods/notices.hpp"
-#include "server/sessions/journal/kept_sessions.hpp"
+#include "server/net/methods/notifications.hpp"
+#include "server/sessions/journal/backup_coordinator.hpp"
+#include "server/sessions/journal/crash_loop_guard.hpp"
 #include "server/sessions/journal/sqlite_journal.hpp"
-#include "server/sessions/journal/start_guard.hpp"
-#include "server/sessions/journal/state_desk.hpp"
-#include "server/sessions/session_restoring.hpp"
+#include "server/sessions/journal/state_store.hpp"
+#include "server/sessions/session_exchange.hpp"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
@@ -80,14 +79,14 @@ limits::Budget budget_for(std::size_t connections) {
 /// The parts that may fail to open, and those that they are made of, in order of dependence: the last
 /// declared is destroyed first. Connections end with the context's handlers.
 struct Server::Inputs {
-    Inputs(const ServerOptions& options, std::optional<KeptSessions> found)
+    Inputs(const ServerOptions& options, std::optional<StoredSessions> found)
         : memory(options.memory), kept(std::move(found)), proxies(options.proxies),
           headers(options.frame_origins) {}
 
     core::Result<void> open(const ServerOptions& options);
 
     ProcessAccount memory;
-    std::optional<KeptSessions> kept; ///< with `--state`
+    std::optional<StoredSessions> kept; ///< with `--state`
     SystemEntropy entropy;
     core::SteadyClock clock;
     Metrics metrics{clock};
@@ -99,11 +98,11 @@ struct Server::Inputs {
     SecurityHeaders headers;
     std::unique_ptr<TlsContext> tls; ///< null: plain HTTP
     Connections connections;
-    WriteTurns turns{[this](std::function<void()> task) { loop.post(std::move(task)); }, clock};
+    WriteScheduler turns{[this](std::function<void()> task) { loop.post(std::move(task)); }, clock};
     asio::io_context context{1};
     IoLoop loop{context};
-    std::optional<LateFile> ended_logins; ///< with `--state`
-    std::optional<KeptLogins> logins;     ///< with `--state`
+    std::optional<WriteBehindFile> ended_logins; ///< with `--state`
+    std::optional<LoginStore> logins;            ///< with `--state`
     std::function<void(asio::ip::tcp::socket)> accepted;
     std::shared_ptr<Listener> listener; ///< calls `accepted`, once it is started
     std::function<void(const std::string& dataset)> changed;
@@ -112,11 +111,11 @@ struct Server::Inputs {
 
 core::Result<void> Server::Inputs::open(const ServerOptions& options) {
     if (kept) {
-        ended_logins.emplace(loop, kept->folder.path() / KeptLogins::ended_name);
+        ended_logins.emplace(loop, kept->folder.path() / LoginStore::ended_name);
         auto found =
-            KeptLogins::open(kept->folder.path(), entropy,
-                             [this](KeptLogins::To to, std::string text, KeptLogins::Done done) {
-                                 if (to == KeptLogins::To::Append)
+            LoginStore::open(kept->folder.path(), entropy,
+                             [this](LoginStore::To to, std::string text, LoginStore::Done done) {
+                                 if (to == LoginStore::To::Append)
                                      ended_logins->append(std::move(text), std::move(done));
                                  else
                                      ended_logins->put(std::move(text), std::move(done));
@@ -165,12 +164,13 @@ struct Server::Parts {
     Parts(const ServerOptions& options, std::unique_ptr<Inputs> made)
         : inputs(std::move(made)), pool(options.threads),
           files(StaticFiles::load(options.web.empty() ? find_web_client() : options.web)),
-          desk(start_desk(options)), gate({options.token, options.host, port, options.origins,
-                                           in.tls != nullptr, in.logins ? &*in.logins : nullptr},
-                                          in.entropy,
-                                          in.clock,
-                                          grants,
-                                          &in.metrics) {
+          backup(start_backup_coordinator(options)),
+          gate({options.token, options.host, port, options.origins, in.tls != nullptr,
+                in.logins ? &*in.logins : nullptr},
+               in.entropy,
+               in.clock,
+               grants,
+               &in.metrics) {
         in.accepted = [this](asio::ip::tcp::socket socket) {
             serve_http(std::move(socket),
                        {routes, in.connections, grants, in.admission, in.budgets, in.proxies,
@@ -205,7 +205,7 @@ struct Server::Parts {
     MethodContext method_context() {
         return {sessions,    datasets,      [this] { return dataset_entries(*in.catalogue); },
                 prober,      grants,        in.clock,
-                in.loop,     journal.get(), [this] { return standing(); },
+                in.loop,     journal.get(), [this] { return status(); },
                 &in.metrics, &imports,      withheld_surfaces ? careful_notice(starts->died()) : "",
                 &in.budgets, &families};
     }
@@ -219,13 +219,13 @@ struct Server::Parts {
         return out;
     }
 
-    Standing standing() const {
-        Standing out;
+    ServerStatus status() const {
+        ServerStatus out;
         out.datasets = dataset_counts();
         out.uptime = std::chrono::duration<double>(in.clock.now() - started).count();
         out.connections = in.admission.connections();
         out.clients = in.budgets.used(Use::Socket);
-        out.memory = memory_standing(in.memory.account());
+        out.memory = memory_status(in.memory.account());
         out.sessions = sessions.all().size();
         for (const auto& [id, session] : sessions.all()) {
             out.surfaces += session->records().count(RecordType::Surface);
@@ -252,7 +252,7 @@ struct Server::Parts {
         for (const DatasetStatus& each : in.catalogue->list())
             if (const auto open = in.catalogue->find(each.dataset); open && (*open)->levels)
                 pool.let_go((*open)->levels->take_idle());
-        watching = in.loop.after(limits::memory_look, [this] { watch_memory(); });
+        watching = in.loop.after(limits::memory_poll_interval, [this] { watch_memory(); });
     }
 
     std::unique_ptr<SqliteJournal> start_journal() {
@@ -263,13 +263,13 @@ struct Server::Parts {
             [this](const core::Result<void>& turn) { tell_durability(turn); });
     }
 
-    /// Makes the desk, which accepts requests at once, but answers from what the journal has written.
-    std::unique_ptr<StateDesk> start_desk(const ServerOptions& options) {
+    /// Makes the backup, which accepts requests at once, but answers from what the journal has written.
+    std::unique_ptr<BackupCoordinator> start_backup_coordinator(const ServerOptions& options) {
         if (!journal)
             return nullptr;
-        return std::make_unique<StateDesk>(
-            options.state, StateDesk::Services{[this] { return journal->hold(); },
-                                               [this] { return journal->release(); }});
+        return std::make_unique<BackupCoordinator>(
+            options.state, BackupCoordinator::Services{[this] { return journal->hold(); },
+                                                       [this] { return journal->release(); }});
     }
 
     void restore() {
@@ -299,7 +299,7 @@ struct Server::Parts {
     void tell_all(const std::string& dataset) {
         const auto open = in.catalogue->find(dataset);
         if (open)
-            news.watch(dataset, (*open)->cache);
+            cache_events.watch(dataset, (*open)->cache);
         sessions.dataset_changed(dataset);
         tell_of_replaced_data(dataset, open ? (*open)->store : nullptr);
         imports.changed(dataset);
@@ -311,7 +311,7 @@ struct Server::Parts {
     /// Keeps counting the old data while they are imported once more.
     void tell_of_replaced_data(const std::string& dataset,
                                const std::shared_ptr<const store::StoreReader>& now) {
-        auto& before = told[dataset];
+        auto& before = announced_data[dataset];
         if (!now || now == before)
             return;
         const store::ValueMarks marks = now->marks();
@@ -359,17 +359,17 @@ struct Server::Parts {
     const std::chrono::steady_clock::time_point started = in.clock.now();
     ComputePool pool;
     Prober prober{in.loop, pool};
-    CacheNews news{in.loop,
-                   [this](const std::string& message) { in.connections.announce(message); }};
+    CacheEvents cache_events{
+        in.loop, [this](const std::string& message) { in.connections.announce(message); }};
     StaticFiles files;
     const std::uint16_t port = in.listener->port();
     std::unique_ptr<SqliteJournal> journal = start_journal(); ///< null without `--state`
-    std::unique_ptr<StateDesk> desk;                          ///< its thread asks the journal
+    std::unique_ptr<BackupCoordinator> backup;                ///< its thread asks the journal
     WakingClock waking;
     Grants grants{{in.loop, waking, in.entropy, unix_seconds, journal.get()}};
     Gate gate;
-    std::optional<StartGuard> starts =
-        in.kept ? std::optional<StartGuard>(in.kept->folder.path()) : std::nullopt;
+    std::optional<CrashLoopGuard> starts =
+        in.kept ? std::optional<CrashLoopGuard>(in.kept->folder.path()) : std::nullopt;
     const std::optional<core::Error> withheld_surfaces = why_withheld();
     CatalogueDatasets datasets{*in.catalogue};
     SessionDirectory sessions{session_services()};
@@ -387,10 +387,11 @@ struct Server::Parts {
                   dispatcher,
                   downloads,
                   session_files,
-                  [this] { return in.metrics.text(standing()); },
+                  [this] { return in.metrics.text(status()); },
                   [this] { return health_text(dataset_counts()); },
                   [this](const std::string& person) { in.connections.log_out(person); }};
-    std::map<std::string, std::shared_ptr<const store::StoreReader>> told; ///< data, by dataset
+    std::map<std::string, std::shared_ptr<const store::StoreReader>>
+        announced_data;                      ///< data, by dataset
     std::shared_ptr<void> waiting, watching; ///< timers of stop_when_alone, watch_memory
 };
 
@@ -399,9 +400,9 @@ Server::Server(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Server::~Server() = default;
 
 core::Result<std::unique_ptr<Server>> Server::open(const ServerOptions& options) {
-    std::optional<KeptSessions> kept;
+    std::optional<StoredSessions> kept;
     if (!options.state.empty()) {
-        auto found = KeptSessions::open(options.state);
+        auto found = StoredSessions::open(options.state);
         if (!found)
             return tl::unexpected(found.error());
         kept.emplace(std::move(*found));

@@ -10,6 +10,21 @@
 
 namespace wakesurf::server {
 
+/// The address a server prints: where it listens, and its token.
+struct ServerAddress {
+    bool tls = false;
+    std::string host; ///< without the brackets of an IPv6 address
+    std::string port;
+    std::string prefix; ///< of a proxy, as /flow; may be empty
+    std::string token;  ///< may be empty
+
+    /// Returns the authority as a Host header has it.
+    std::string authority() const;
+};
+
+/// Parses http://HOST[:PORT][/PREFIX][/][#token=...]. Error: InvalidArgument.
+core::Result<ServerAddress> parse_server_address(const std::string& url);
+
 /// Answers requests. One thread at a time; every call waits for its answer.
 class SessionServer {
   public:
@@ -31,7 +46,7 @@ core::Result<std::unique_ptr<SessionServer>> server_at(const std::string& url,
                                                        const std::filesystem::path& authority);
 
 /// Opens a state folder like a server without data. Its destructor waits for the disk. Error: as
-/// KeptSessions::open; OverLimit if a server uses the folder; NotFound if there are no sessions in it.
+/// StoredSessions::open; OverLimit if a server uses the folder; NotFound if there are no sessions in it.
 /// @param changes  false: nothing is written
 core::Result<std::unique_ptr<SessionServer>> sessions_in(const std::filesystem::path& folder,
                                                          bool changes);

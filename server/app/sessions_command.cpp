@@ -1,12 +1,9 @@
-#include "server/app/sessions_command.hpp"
-
 #include "protocol/api/base/json_text.hpp"
+#include "server/app/command_output.hpp"
+#include "server/app/commands.hpp"
 #include "server/app/environment.hpp"
-#include "server/app/failure.hpp"
-#include "server/app/log_lines.hpp"
+#include "server/app/output_files.hpp"
 #include "server/app/session_server.hpp"
-#include "server/app/tell.hpp"
-#include "server/app/whole_file.hpp"
 #include "server/base/limits.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,10 +1,8 @@
-#include "server/app/state_command.hpp"
-
 #include "core/base/plain_text.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/utc_text.hpp"
-#include "server/app/failure.hpp"
-#include "server/app/tell.hpp"
+#include "server/app/command_output.hpp"
+#include "server/app/commands.hpp"
 #include "server/sessions/journal/state_copy.hpp"
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,3 @@
-#include "server/app/surface_command.hpp"
-
 #include "core/base/machine_memory.hpp"
 #include "core/surface/budget_search.hpp"
 #include "core/surface/builder/surface_builder.hpp"
@@ -7,22 +5,21 @@
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "protocol/api/base/json_text.hpp"
+#include "protocol/api/base/point_json.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/api/generated/surface_options.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"
-#include "server/app/elapsed_line.hpp"
-#include "server/app/failure.hpp"
-#include "server/app/open_surface_options.hpp"
-#include "server/app/own_words.hpp"
-#include "server/app/stop_on_signal.hpp"
+#include "server/app/command_output.hpp"
+#include "server/app/commands.hpp"
+#include "server/app/name_mapping.hpp"
+#include "server/app/other_programs.hpp"
+#include "server/app/output_files.hpp"
+#include "server/app/progress_line.hpp"
+#include "server/app/stop_tokens.hpp"
 #include "server/app/surface_passes.hpp"
-#include "server/app/surface_picture.hpp"
 #include "server/app/surface_request.hpp"
-#include "server/app/tell.hpp"
-#include "server/app/time_limit.hpp"
-#include "server/app/whole_file.hpp"
 #include "server/base/process_account.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/surface_scalars.hpp"
@@ -37,9 +34,60 @@
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace wakesurf::server {
+
+// `wakesurf surface DATA -o a.png`: the surface as the page draws it, with the same colours, scalar bar, axes
+// and shading, by the same code. So a picture needs Chromium, without a window, and a server meanwhile; the
+// client for Python starts both (python/wakesurf/draw.py).
+
+/// Returns only if Python cannot be started, with the exit status.
+int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request);
+
+namespace {
+
+nlohmann::json rake_json(const core::Rake& rake) {
+    return {{"kind", protocol::name(rake.kind)},
+            {"points", protocol::points_json(rake.points)},
+            {"seeds", rake.seeds}};
+}
+
+/// Returns the options of the server that draws it.
+std::vector<std::string> server_words(const SurfaceOptions& options) {
+    std::vector<std::string> words = arguments_of(options.taken);
+    if (!options.store.empty())
+        words.push_back("--store=" + options.store);
+    if (options.memory > 0)
+        words.push_back("--memory=" + std::to_string(options.memory));
+    if (options.threads > 0)
+        words.push_back("--threads=" + std::to_string(options.threads));
+    return words;
+}
+
+} // namespace
+
+int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request) {
+    nlohmann::json job{{"size", options.size},
+                       {"seeds", options.seeds},
+                       {"surface", nlohmann::json::parse(request.asked)}};
+    job["surface"]["maxQuads"] = options.max_quads;
+    job["surface"]["fields"] = options.fields;
+    job["points"] = !options.lines.empty();
+    if (!options.rake.empty())
+        job["rake"] = rake_json(request.rake);
+    if (request.parameters.rake2)
+        job["rake2"] = rake_json(*request.parameters.rake2);
+    // Paths are separate words: they need not be UTF-8, but JSON is.
+    std::vector<std::string> words{
+        job.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), options.dataset,
+        options.output};
+    for (const std::string& word : server_words(options))
+        words.push_back(word);
+    return become_python("draw", words);
+}
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "core/base/work_memory.hpp"
 #include "core/surface/surface.hpp"
 #include "core/surface/surface_parameters.hpp"
-#include "server/app/time_limit.hpp"
+#include "server/app/stop_tokens.hpp"
 
 #include <functional>
 #include <memory>

@@ -6,11 +6,13 @@
 #include "core/surface/surface_parameters.hpp"
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/files/surface_lines.hpp"
+#include "server/data/open_dataset.hpp"
 #include "store/command/source_options.hpp"
 
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -54,5 +56,15 @@ struct SurfaceRequest {
 /// Checks the options. Error: InvalidArgument for wrong usage, Unsupported for what wakesurf cannot do,
 /// NotFound if the folder of the output does not exist.
 core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options);
+
+/// Completes the request by the data (the rake, the times, the separation), and prints to standard error what was chosen. Error: what sampling the data reports.
+core::Result<void> choose_open_options(SurfaceRequest& request,
+                                       const SurfaceOptions& options,
+                                       const LoadedDataset& dataset,
+                                       const std::stop_token& stop);
+
+/// Fills in `from` and `to` if the options leave them open: the first and last time of the data, the other
+/// way round with `--direction backward`; 10 time units from `from` if the data have no such times.
+void choose_times(SurfaceRequest& request, const std::vector<double>& times);
 
 } // namespace wakesurf::server

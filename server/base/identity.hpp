@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -45,5 +46,14 @@ constexpr std::optional<Role> role_named(std::string_view word) {
             return static_cast<Role>(i);
     return std::nullopt;
 }
+
+/// A visitor: what the token or link allows, and which of its holders this is.
+struct Visitor : Identity {
+    Visitor(Identity identity = {}, std::string who = {})
+        : Identity(std::move(identity)), person(std::move(who)) {}
+
+    /// The person, as far as known: the login of a browser, else the address. May be empty.
+    std::string person;
+};
 
 } // namespace wakesurf::server

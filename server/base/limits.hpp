@@ -126,7 +126,7 @@ inline constexpr std::size_t import_waiters = 1024;             ///< unanswered 
 inline constexpr std::size_t history_bytes = std::size_t{128} << 20;
 inline constexpr std::size_t histories_bytes = std::size_t{512} << 20; ///< of all together
 /// The poll interval of the process's memory.
-inline constexpr std::chrono::milliseconds memory_look{250};
+inline constexpr std::chrono::milliseconds memory_poll_interval{250};
 /// The idle time after which a history is removed before others get smaller.
 inline constexpr std::chrono::seconds history_rest{30};
 

@@ -6,9 +6,85 @@
 #include <prometheus/registry.h>
 #include <prometheus/text_serializer.h>
 
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <vector>
 
 namespace wakesurf::server {
+
+std::string health_text(std::span<const DatasetCount> datasets) {
+    std::size_t total = 0;
+    std::string wrong;
+    for (const DatasetCount& each : datasets) {
+        total += each.count;
+        if (each.count == 0)
+            continue;
+        const std::string is = each.count == 1 ? " is " : " are ";
+        const std::string has = each.count == 1 ? " has " : " have ";
+        const std::string said = each.state == "failed"       ? has + "failed"
+                                 : each.state == "incomplete" ? is + "incomplete"
+                                                              : std::string();
+        if (!said.empty())
+            wrong += (wrong.empty() ? "" : ", ") + std::to_string(each.count) + said;
+    }
+    return wrong.empty() ? "ok" : "ok, but of " + std::to_string(total) + " datasets " + wrong;
+}
+
+MemoryStatus memory_status(const core::MemoryAccount& account) {
+    MemoryStatus out{account.budget(), account.used(), {}, account.refused()};
+    for (std::size_t i = 0; i < out.by_use.size(); ++i)
+        out.by_use[i] = account.used(static_cast<core::MemoryUse>(i));
+    return out;
+}
+
+ProcessMemory process_memory() {
+    ProcessMemory out;
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);) {
+        std::istringstream words(line);
+        std::string name;
+        std::uint64_t kibibytes = 0;
+        if (!(words >> name >> kibibytes))
+            continue;
+        if (name == "VmRSS:")
+            out.resident = kibibytes << 10;
+        else if (name == "VmHWM:")
+            out.peak = kibibytes << 10;
+    }
+    std::error_code error;
+    const std::filesystem::directory_iterator open("/proc/self/fd", error);
+    if (!error)
+        out.descriptors = static_cast<std::uint64_t>(std::distance(begin(open), end(open)));
+    return out;
+}
+
+void RecentValues::add(Time now, double value) {
+    const std::lock_guard lock(mutex_);
+    values_[added_++ % most] = {now, static_cast<float>(value)};
+}
+
+Quantiles RecentValues::quantiles(Time now) const {
+    std::vector<double> recent;
+    {
+        const std::lock_guard lock(mutex_);
+        const auto held = std::min<std::uint64_t>(added_, most);
+        for (std::size_t i = 0; i < held; ++i)
+            if (now - values_[i].at <= window)
+                recent.push_back(static_cast<double>(values_[i].value));
+    }
+    if (recent.empty())
+        return {};
+    std::sort(recent.begin(), recent.end());
+    const auto at = [&](double part) {
+        const auto rank = std::ceil(part * static_cast<double>(recent.size()));
+        return recent[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+    };
+    return {at(0.50), at(0.95), at(0.99), recent.size()};
+}
 
 using prometheus::Counter;
 using prometheus::Family;
@@ -44,30 +120,30 @@ std::uint64_t whole(const Counter& counted) {
 }
 
 /// Holds one reading only: it is rebuilt each time, so that a removed dataset leaves nothing behind.
-void collect(const Standing& standing, Registry& registry) {
+void collect(const ServerStatus& status, Registry& registry) {
     const auto gauge = [&](const char* name, const char* help, auto value) {
         gauges(registry, name, help).Add({}).Set(static_cast<double>(value));
     };
-    gauge("wakesurf_uptime_seconds", "Time since the server started.", standing.uptime);
-    gauge("wakesurf_connections", "Open connections of all kinds.", standing.connections);
-    gauge("wakesurf_clients", "Open WebSockets.", standing.clients);
-    gauge("wakesurf_participants", "People and scripts in sessions.", standing.participants);
-    gauge("wakesurf_sessions", "Sessions.", standing.sessions);
-    gauge("wakesurf_surfaces", "Surfaces in all sessions.", standing.surfaces);
+    gauge("wakesurf_uptime_seconds", "Time since the server started.", status.uptime);
+    gauge("wakesurf_connections", "Open connections of all kinds.", status.connections);
+    gauge("wakesurf_clients", "Open WebSockets.", status.clients);
+    gauge("wakesurf_participants", "People and scripts in sessions.", status.participants);
+    gauge("wakesurf_sessions", "Sessions.", status.sessions);
+    gauge("wakesurf_surfaces", "Surfaces in all sessions.", status.surfaces);
     auto& datasets = gauges(registry, "wakesurf_datasets", "Datasets, by state.");
-    for (const DatasetCount& each : standing.datasets)
+    for (const DatasetCount& each : status.datasets)
         datasets.Add({{"state", std::string(each.state)}}).Set(static_cast<double>(each.count));
     const ProcessMemory memory = process_memory();
     gauge("process_resident_memory_bytes", "Resident memory of the process.", memory.resident);
     gauge("process_open_fds", "Open file descriptors.", memory.descriptors);
     gauge("wakesurf_memory_budget_bytes", "The budget --memory, for the process and its importers.",
-          standing.memory.budget);
+          status.memory.budget);
     gauge("wakesurf_memory_refused", "How often something did not fit into --memory.",
-          standing.memory.refused);
+          status.memory.refused);
     auto& uses = gauges(registry, "wakesurf_memory_bytes", "Memory taken of --memory, by use.");
-    for (std::size_t i = 0; i < standing.memory.by_use.size(); ++i)
+    for (std::size_t i = 0; i < status.memory.by_use.size(); ++i)
         uses.Add({{"use", std::string(core::name_of(static_cast<core::MemoryUse>(i)))}})
-            .Set(static_cast<double>(standing.memory.by_use[i]));
+            .Set(static_cast<double>(status.memory.by_use[i]));
     auto& hits = counters(registry, "wakesurf_cache_hits_total",
                           "Requested time-steps that were already in memory.");
     auto& loads =
@@ -75,7 +151,7 @@ void collect(const Standing& standing, Registry& registry) {
     auto& bytes = gauges(registry, "wakesurf_cache_bytes", "Memory that time-steps take.");
     auto& budget =
         gauges(registry, "wakesurf_cache_budget_bytes", "Memory that time-steps may take.");
-    for (const CacheStanding& each : standing.caches) {
+    for (const CacheStatus& each : status.caches) {
         const prometheus::Labels labels{{"dataset", each.dataset}};
         hits.Add(labels).Increment(static_cast<double>(each.hits));
         loads.Add(labels).Increment(static_cast<double>(each.loads));
@@ -86,7 +162,7 @@ void collect(const Standing& standing, Registry& registry) {
         counters(registry, "wakesurf_bricks_total", "Bricks read, by where they came from.");
     auto& ranks = gauges(registry, "wakesurf_brick_ranks",
                          "Ranks of the MPI job that holds bricks; 0 while there is none.");
-    for (const BricksStanding& each : standing.bricks) {
+    for (const BricksStatus& each : status.bricks) {
         bricks.Add({{"dataset", each.dataset}, {"from", "ranks"}})
             .Increment(static_cast<double>(each.by_ranks));
         bricks.Add({{"dataset", each.dataset}, {"from", "files"}})
@@ -209,9 +285,9 @@ void Metrics::durable(bool yes) {
     state_->durable.Add({}).Set(yes ? 1.0 : 0.0);
 }
 
-std::string Metrics::text(const Standing& standing) const {
+std::string Metrics::text(const ServerStatus& status) const {
     Registry now;
-    collect(standing, now);
+    collect(status, now);
     auto families = state_->registry.Collect();
     for (auto& family : now.Collect())
         families.push_back(std::move(family));

@@ -3,16 +3,111 @@
 #pragma once
 
 #include "core/base/clock.hpp"
-#include "server/base/recent_values.hpp"
-#include "server/base/standing.hpp"
+#include "core/base/memory_account.hpp"
 
 #include <array>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wakesurf::server {
+
+/// The state of the server at the moment of a request: what is open, held and used. Gathered on request.
+struct CacheStatus {
+    std::string dataset;
+    std::uint64_t hits = 0;  ///< requested time-steps that were in memory
+    std::uint64_t loads = 0; ///< those that were not
+    std::size_t bytes = 0;
+    std::size_t budget = 0;
+};
+
+/// Describes the bricks of a dataset with an MPI job.
+struct BricksStatus {
+    std::string dataset;
+    std::uint64_t by_ranks = 0;
+    std::uint64_t by_files = 0;
+    std::uint64_t ranks = 0; ///< of the job; 0: not connected
+};
+
+/// Counts the datasets in a state.
+struct DatasetCount {
+    std::string_view state;
+    std::size_t count = 0;
+
+    bool operator==(const DatasetCount&) const = default;
+};
+
+/// Returns the text of /healthz: "ok", and how many of how many datasets failed or are incomplete. No names:
+/// it is public.
+std::string health_text(std::span<const DatasetCount> datasets);
+
+/// Describes the account of memory, in bytes.
+struct MemoryStatus {
+    std::size_t budget = 0;
+    std::size_t used = 0;
+    std::array<std::size_t, core::memory_uses> by_use{};
+    std::uint64_t refused = 0; ///< requests that did not fit
+};
+
+MemoryStatus memory_status(const core::MemoryAccount& account);
+
+struct ServerStatus {
+    double uptime = 0.0; ///< seconds
+    std::size_t connections = 0;
+    std::size_t clients = 0; ///< WebSockets
+    std::size_t sessions = 0;
+    std::size_t surfaces = 0;
+    std::size_t participants = 0;
+    std::vector<DatasetCount> datasets; ///< of each state
+    std::vector<CacheStatus> caches;
+    std::vector<BricksStatus> bricks;
+    MemoryStatus memory;
+};
+
+struct ProcessMemory {
+    std::uint64_t resident = 0; ///< bytes
+    std::uint64_t peak = 0;     ///< bytes, of `resident`
+    std::uint64_t descriptors = 0;
+};
+
+/// Describes this process, from /proc; zeros if there is none. Cost: tens of microseconds.
+ProcessMemory process_memory();
+
+/// Quantiles of recent observations: a ring of the newest values with their times. Exact over what it holds,
+/// unlike a histogram's buckets, and it forgets, unlike a histogram.
+struct Quantiles {
+    double p50 = 0.0, p95 = 0.0, p99 = 0.0;
+    std::uint64_t count = 0; ///< number of values; if 0, the others mean nothing
+};
+
+/// Holds recent values. Thread-safe.
+class RecentValues {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+    static constexpr std::size_t most = 1024;
+    static constexpr std::chrono::seconds window{60};
+
+    void add(Time now, double value);
+
+    /// Returns nearest-rank quantiles of the newest `most` values no older than `window`. Cost: sorting them.
+    Quantiles quantiles(Time now) const;
+
+  private:
+    struct Value {
+        Time at;
+        float value;
+    };
+
+    mutable std::mutex mutex_;
+    std::array<Value, most> values_{};
+    std::uint64_t added_ = 0;
+};
 
 /// Names the stages of an edit, in order: it waits for a compute thread, waits for time-steps, moves
 /// particles, keeps the surface fine enough, is encoded, and is written to a socket.
@@ -91,7 +186,7 @@ class Metrics {
     void durable(bool yes);
 
     /// Returns Prometheus text, version 0.0.4.
-    std::string text(const Standing& standing) const;
+    std::string text(const ServerStatus& status) const;
 
     /// Return the quantiles of the last minute.
     Quantiles quantiles(Stage stage) const;

@@ -42,17 +42,17 @@ bool ours_or_the_systems(uid_t owner) {
     return owner == ::geteuid() || owner == 0;
 }
 
-struct Looked {
+struct OpenedFile {
     OpenFile file;
 
     struct stat status {};
 };
 
 /// O_NONBLOCK: a pipe is opened at once, and refused.
-core::Result<Looked> open_and_look(const fs::path& path, int flags) {
-    Looked out{OpenFile(::open(path.c_str(), flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY,
-                               0600)),
-               {}};
+core::Result<OpenedFile> open_and_stat(const fs::path& path, int flags) {
+    OpenedFile out{OpenFile(::open(path.c_str(),
+                                   flags | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY, 0600)),
+                   {}};
     if (out.file.get() < 0)
         return not_opened(errno);
     if (::fstat(out.file.get(), &out.status) != 0)
@@ -108,19 +108,19 @@ void OpenFile::close() {
 }
 
 core::Result<OpenFile> open_private_file(const fs::path& file, int flags) {
-    auto looked = open_and_look(file, flags);
-    if (!looked)
-        return tl::unexpected(looked.error());
-    const struct stat& status = looked->status;
+    auto opened = open_and_stat(file, flags);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    const struct stat& status = opened->status;
     if (status.st_uid != ::geteuid())
         return not_ours(fmt::format("it belongs to user {}, this program runs as user {}",
                                     status.st_uid, ::geteuid()));
     if (status.st_nlink > 1)
         return not_ours("the file has another name as well");
     if ((status.st_mode & of_others) != 0 &&
-        ::fchmod(looked->file.get(), status.st_mode & ~of_others & 07777) != 0)
+        ::fchmod(opened->file.get(), status.st_mode & ~of_others & 07777) != 0)
         return not_opened(errno);
-    return std::move(looked->file);
+    return std::move(opened->file);
 }
 
 core::Result<std::string> read_private_file(const fs::path& file, std::size_t most) {
@@ -134,15 +134,15 @@ core::Result<NamedSecret> read_named_secret(const fs::path& file, std::size_t mo
     const auto path = behind_links(file);
     if (!path)
         return tl::unexpected(path.error());
-    const auto looked = open_and_look(*path, O_RDONLY);
-    if (!looked)
-        return tl::unexpected(looked.error());
-    const struct stat& status = looked->status;
+    const auto opened = open_and_stat(*path, O_RDONLY);
+    if (!opened)
+        return tl::unexpected(opened.error());
+    const struct stat& status = opened->status;
     if (!ours_or_the_systems(status.st_uid))
         return not_ours(fmt::format("it belongs to user {}, this program runs as user {}",
                                     status.st_uid, ::geteuid()));
     NamedSecret out;
-    auto text = read_all(looked->file, most);
+    auto text = read_all(opened->file, most);
     if (!text)
         return tl::unexpected(text.error());
     out.text = std::move(*text);

@@ -5,10 +5,29 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace wakesurf::server {
+
+/// Random bytes for secrets, injected so that whole sessions can be replayed.
+class Entropy {
+  public:
+    virtual ~Entropy() = default;
+
+    /// Fills `out` with random bytes. Throws std::runtime_error if the system has none.
+    virtual void fill(std::span<std::byte> out) = 0;
+};
+
+/// Reads the kernel's generator.
+class SystemEntropy final : public Entropy {
+  public:
+    void fill(std::span<std::byte> out) override;
+};
+
+/// Returns a secret of 8 * `bytes` bits, as hexadecimal digits.
+std::string random_hex(Entropy& entropy, std::size_t bytes);
 
 using SecretDigest = std::array<std::byte, 32>;
 

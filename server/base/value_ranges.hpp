@@ -9,13 +9,13 @@
 namespace wakesurf::server {
 
 /// Holds the range of one attribute of the frames.
-struct ToldRange {
+struct AnnouncedRange {
     std::string attribute;
     core::ValueRange range;
 
-    bool operator==(const ToldRange&) const = default;
+    bool operator==(const AnnouncedRange&) const = default;
 };
 
-using ValueRanges = std::vector<ToldRange>;
+using ValueRanges = std::vector<AnnouncedRange>;
 
 } // namespace wakesurf::server

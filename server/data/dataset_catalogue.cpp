@@ -191,8 +191,8 @@ DatasetCatalogue::Entry* DatasetCatalogue::take_next(Work kind, const std::stop_
             rested->busy = true;
             return rested;
         }
-        const std::uint64_t seen = news_;
-        const auto news = [&] { return news_ != seen; };
+        const std::uint64_t seen = wakeups_;
+        const auto news = [&] { return wakeups_ != seen; };
         if (next == Clock::time_point::max())
             again_.wait(lock, stop, news);
         else
@@ -208,7 +208,7 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
     const bool first = !std::exchange(entry.begun, true);
     const DatasetState state = entry.state();
     const std::string before = entry.status.values;
-    bool looked_only = false;
+    bool checked_only = false;
     if (!entry.watch)
         entry.watch.emplace(entry.argument.path,
                             entry.argument.kind == DatasetArgument::Kind::Store);
@@ -218,9 +218,9 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
         else if (first || state == DatasetState::Importing || due(entry))
             import_one(entry, stop);
         else
-            looked_only = true;
-        if (!looked_only)
-            entry.look_for_families();        // one may have been made since reading began
+            checked_only = true;
+        if (!checked_only)
+            entry.refresh_families();         // one may have been made since reading began
     } catch (const std::exception& problem) { // the other datasets go on
         entry.failed = true;
         ++entry.failures;
@@ -234,10 +234,10 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
         const std::scoped_lock lock(mutex_);
         entry.busy = false;
         entry.rests_until = ended + std::max<Clock::duration>(options_.watch_period, rest);
-        ++news_;
+        ++wakeups_;
     }
     again_.notify_all();
-    if (!looked_only)
+    if (!checked_only)
         listener_(entry.status.dataset);
 }
 
@@ -251,13 +251,13 @@ bool DatasetCatalogue::due(Entry& entry) const {
     if (!entry.failed)
         return false;
     constexpr unsigned rarest = 16;
-    return ++entry.looks % std::min(1u << std::min(entry.failures, 8u), rarest) == 0;
+    return ++entry.polls % std::min(1u << std::min(entry.failures, 8u), rarest) == 0;
 }
 
 void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
     entry.watch->begin(); // before reading: later changes are noticed
     if (entry.argument.kind == DatasetArgument::Kind::Store)
-        return look_at_store(entry);
+        return check_store(entry);
     const auto folder = store_folder_of(entry);
     entry.compared = false;
     const auto imported = run_import(entry, folder, stop);
@@ -279,7 +279,7 @@ void DatasetCatalogue::import_one(Entry& entry, const std::stop_token& stop) {
 }
 
 // A store that cannot be read just now may be being written: the open one stays.
-void DatasetCatalogue::look_at_store(Entry& entry) {
+void DatasetCatalogue::check_store(Entry& entry) {
     auto opened = entry.reopened(entry.argument.path);
     entry.failed = !opened;
     entry.failures += opened ? 0 : 1;
@@ -364,16 +364,16 @@ bool DatasetCatalogue::start_import(std::string_view dataset) {
         if (entry == nullptr || entry->status.state != DatasetState::Stopped)
             return false;
         entry->status.state = DatasetState::Importing;
-        ++news_;
+        ++wakeups_;
     }
     again_.notify_all();
     listener_(std::string(dataset));
     return true;
 }
 
-void DatasetCatalogue::look_for_families(std::string_view dataset) {
+void DatasetCatalogue::refresh_families(std::string_view dataset) {
     if (Entry* const entry = find_entry(dataset)) {
-        entry->look_for_families();
+        entry->refresh_families();
         listener_(entry->status.dataset);
     }
 }
@@ -404,7 +404,7 @@ core::Result<void> DatasetCatalogue::choose_velocity(std::string_view dataset,
         entry->taken = std::move(wish);
         entry->status.state = DatasetState::Importing;
         entry->status.error.reset();
-        ++news_;
+        ++wakeups_;
     }
     again_.notify_all();
     listener_(std::string(dataset));

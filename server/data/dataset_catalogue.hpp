@@ -2,11 +2,11 @@
 // name them by id and never see a path.
 #pragma once
 
-#include "server/data/import_lanes.hpp"
 #include "server/data/served_dataset.hpp"
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -18,6 +18,66 @@
 #include <vector>
 
 namespace wakesurf::server {
+
+/// The number of imports at a time, and the memory for each: an equal part of the total. One that does not fit
+/// into its part runs again alone, with all of it.
+/// Bounds concurrent imports. Thread-safe.
+class ImportLanes {
+  public:
+    explicit ImportLanes(std::size_t lanes) : lanes_(lanes) {}
+
+    ImportLanes(const ImportLanes&) = delete;
+    ImportLanes& operator=(const ImportLanes&) = delete;
+
+    std::size_t lanes() const { return lanes_; }
+
+    /// Holds a slot, or all of them, until destroyed.
+    class Taken {
+      public:
+        Taken(ImportLanes& of, std::size_t lanes) : of_(of), lanes_(lanes) {}
+
+        ~Taken() { of_.leave(lanes_); }
+
+        Taken(const Taken&) = delete;
+        Taken& operator=(const Taken&) = delete;
+
+      private:
+        ImportLanes& of_;
+        std::size_t lanes_;
+    };
+
+    /// Waits for a slot: imports that want all slots go first. It stops waiting when `stop` fires.
+    Taken one(const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        left_.wait(lock, stop, [this] { return taken_ < lanes_ && alone_ == 0; });
+        ++taken_;
+        return {*this, 1};
+    }
+
+    Taken all(const std::stop_token& stop) {
+        std::unique_lock lock(mutex_);
+        ++alone_;
+        left_.wait(lock, stop, [this] { return taken_ == 0; });
+        --alone_;
+        taken_ += lanes_;
+        return {*this, lanes_};
+    }
+
+  private:
+    void leave(std::size_t lanes) {
+        {
+            const std::scoped_lock lock(mutex_);
+            taken_ -= lanes;
+        }
+        left_.notify_all();
+    }
+
+    const std::size_t lanes_;
+    std::mutex mutex_;
+    std::condition_variable_any left_;
+    std::size_t taken_ = 0;
+    std::size_t alone_ = 0; ///< waiting for all slots
+};
 
 /// Serves the datasets. Thread-safe.
 class DatasetCatalogue {
@@ -54,7 +114,7 @@ class DatasetCatalogue {
     bool start_import(std::string_view dataset);
 
     /// Reads the families in its store again, for find() and status(). Reads a small file.
-    void look_for_families(std::string_view dataset);
+    void refresh_families(std::string_view dataset);
 
     /// Imports, with this velocity, a dataset of which nothing is imported because its velocity was not
     /// clear. After a success later servers take it as well, as long as they have the same folder of stores
@@ -82,7 +142,7 @@ class DatasetCatalogue {
     Entry* take_next(Work kind, const std::stop_token& stop);
     void attend(Entry& entry, const std::stop_token& stop);
     void import_one(Entry& entry, const std::stop_token& stop);
-    void look_at_store(Entry& entry);
+    void check_store(Entry& entry);
     core::Result<void>
     run_import(Entry& entry, const std::filesystem::path& folder, const std::stop_token& stop);
     core::Result<void> import_within(Entry& entry,
@@ -97,7 +157,7 @@ class DatasetCatalogue {
     /// Guards the entries, except for the part of one that a thread owns; their number is fixed.
     mutable std::mutex mutex_;
     std::condition_variable_any again_; ///< notified when there may be work
-    std::uint64_t news_ = 0;            ///< counts the reasons to check for work
+    std::uint64_t wakeups_ = 0;         ///< counts the reasons to check for work
     std::vector<std::unique_ptr<Entry>> entries_;
     std::optional<ImportLanes> lanes_;
     /// Declared last: stopped and joined before anything else is destroyed.

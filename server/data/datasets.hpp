@@ -7,6 +7,7 @@
 #include "core/field/flow.hpp"
 #include "core/surface/level/level_source.hpp"
 #include "protocol/wire/lattice.hpp"
+#include "server/data/dataset_catalogue.hpp"
 #include "store/store_reader.hpp"
 #include "store/store_scalars.hpp"
 
@@ -42,5 +43,17 @@ class Datasets {
 bool replaced_since(const Datasets& datasets,
                     const std::string& id,
                     const std::shared_ptr<const store::StoreReader>& before);
+
+/// The catalogue's datasets, as sessions and methods see them.
+class CatalogueDatasets final : public Datasets {
+  public:
+    explicit CatalogueDatasets(const DatasetCatalogue& catalogue) : catalogue_(catalogue) {}
+
+    std::vector<std::string> ids() const override;
+    core::Result<OpenDataset> open(const std::string& id) const override;
+
+  private:
+    const DatasetCatalogue& catalogue_;
+};
 
 } // namespace wakesurf::server

@@ -181,7 +181,7 @@ Result<core::FamilyRecord> make_family(const LoadedDataset& dataset,
         held += field->values.size() * sizeof(float);
         values.push_back(std::move(field->values));
     }
-    if (!store.look_again().value_or(false))
+    if (!store.refresh().value_or(false))
         return fail(Error::Code::Io, "the data were replaced while the family was made",
                     "make it again");
     return store::add_family(store.layout().folder, marks, record, values,

@@ -284,7 +284,7 @@ namespace {
 bool has_all_of(const store::StoreManifest& now, const store::StoreReader& open) {
     const auto marks =
         store::ValueMarks::read(store::store_layout(now, open.layout().folder), core::PosixDisk());
-    return open.look_again().value_or(false) && marks && marks->continues(open.marks());
+    return open.refresh().value_or(false) && marks && marks->continues(open.marks());
 }
 
 } // namespace
@@ -313,7 +313,7 @@ bool still_there(const LoadedDataset& open) {
 std::size_t steps_ready(const LoadedDataset& open) {
     if (!open.store)
         return open.info.times.size();
-    (void)open.store->look_again(); // one that cannot be read has no more of them
+    (void)open.store->refresh(); // one that cannot be read has no more of them
     return open.store->marks().steps();
 }
 

@@ -5,7 +5,7 @@
 #include "core/dataset/dataset_info.hpp"
 #include "core/dataset/time_step_cache.hpp"
 #include "core/field/flow.hpp"
-#include "server/data/bricks/ranked_store.hpp"
+#include "server/data/bricks/rank_bricks.hpp"
 #include "server/data/dataset_argument.hpp"
 #include "server/data/levels/level_sets.hpp"
 #include "store/command/source_options.hpp"

@@ -2,11 +2,14 @@
 #pragma once
 
 #include "server/data/open_dataset.hpp"
-#include "server/data/source_watch.hpp"
 #include "store/import_progress.hpp"
+#include "store/store_manifest.hpp"
 
 #include <array>
 #include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -16,6 +19,61 @@
 #include <vector>
 
 namespace wakesurf::server {
+
+/// Detects changes on disk of a dataset's source: a simulation that is still running, or was run again.
+/// Unrelated files and folders beside it are not read, however many there are.
+class SourceWatch {
+  public:
+    /// @param source  a file, a folder or a pattern; or a store's folder, whose manifest and checksums are
+    /// checked
+    SourceWatch(std::filesystem::path source, bool is_store);
+
+    /// Marks the beginning of an import, or of opening a store: later changes count.
+    void begin();
+
+    /// Sets the files of a finished import. Without any, everything in the source's folder and its folders
+    /// counts.
+    void made_from(const store::StoreSource& files);
+
+    /// Says whether anything has changed since begin(). Checks what all time-steps share, the first and the
+    /// newest ones, and a part of the others, in rotation: at most `most_files_checked` files.
+    bool changed();
+
+    static constexpr std::size_t most_files_checked = 1024;
+
+    /// Returns the number of files and folders checked so far.
+    std::uint64_t files_checked() const { return files_checked_; }
+
+  private:
+    struct Stamp {
+        std::uint64_t size = 0;
+        std::int64_t modified = 0; ///< nanoseconds since 1970; 0: missing
+
+        bool operator==(const Stamp&) const = default;
+    };
+
+    Stamp stamp(const std::filesystem::path& path);
+    std::uint64_t listing();
+    bool differs(const std::filesystem::path& path);
+    void find_indices();
+    void take_folders(const std::filesystem::path& file,
+                      std::map<std::filesystem::path, Stamp>& into);
+
+    std::filesystem::path source_;
+    std::filesystem::path folder_;
+    bool is_store_;
+    std::map<std::filesystem::path, Stamp> known_; ///< as they were at begin(), or later
+    /// Files that list others, which a reader does not name.
+    std::vector<std::filesystem::path> indices_;
+    /// The files that are checked every time.
+    std::vector<std::filesystem::path> always_;
+    std::vector<std::filesystem::path> others_; ///< the rest
+    std::size_t next_ = 0;                      ///< of others_
+    /// The sum of a listing, if the files are not known.
+    std::optional<std::uint64_t> listing_;
+    bool unsure_ = false; ///< a folder was unknown at begin(): it may have changed before
+    std::uint64_t files_checked_ = 0;
+};
 
 /// Names the state. Stopped: by the last client that waited for the import; earlier time-steps can be used.
 /// Incomplete: it ended before the last time-step, as on a full disk; earlier ones can be used, and `error`
@@ -45,7 +103,7 @@ struct DatasetStatus {
 };
 
 /// Handles one dataset. Methods are for the thread that owns it (`busy`), but for state(), taken_now() and
-/// look_for_families().
+/// refresh_families().
 class ServedDataset {
   public:
     /// The end of an import. Stopped: the caller that stops and starts it sets the state.
@@ -68,7 +126,7 @@ class ServedDataset {
     bool show(const store::ImportProgress& progress, const std::filesystem::path& folder);
     void finish(core::Result<LoadedDataset> opened, Ending how = Ending::Whole);
     /// Reads the families that are in the store now. For any thread, one at a time.
-    void look_for_families();
+    void refresh_families();
 
     DatasetArgument argument;
     command::SourceOptions taken; ///< its velocity guarded as the status is
@@ -83,7 +141,7 @@ class ServedDataset {
     std::optional<SourceWatch> watch;
     bool failed = false;   ///< its last import
     unsigned failures = 0; ///< in a row, of the same source
-    unsigned looks = 0;    ///< since
+    unsigned polls = 0;    ///< since
     bool compared = false; ///< the import's output has been compared with the open data
 
     /// Logs each once, like errors. They may quote any file, so clients are not told.

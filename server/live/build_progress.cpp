@@ -44,8 +44,8 @@ double BuildProgress::fraction() const {
     return work_ ? from_ + (to_ - from_) * work_->fraction() : from_;
 }
 
-BuildStanding BuildProgress::standing(Time now) const {
-    BuildStanding out;
+BuildStatus BuildProgress::status(Time now) const {
+    BuildStatus out;
     out.fraction = there_ ? 1.0 : fraction();
     out.seconds = std::chrono::duration<double>(now - began_).count();
     if (full_) {

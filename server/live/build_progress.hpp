@@ -12,7 +12,7 @@
 
 namespace wakesurf::server {
 
-struct BuildStanding {
+struct BuildStatus {
     double fraction = 0.0; ///< of the way, 0..1; early passes are a small part of it
     double seconds = 0.0;  ///< since the beginning of the way
     /// The simulation time that a streak or time surface has reached.
@@ -37,7 +37,7 @@ class BuildProgress {
     /// Marks the surface as complete.
     void arrive();
 
-    BuildStanding standing(Time now) const;
+    BuildStatus status(Time now) const;
 
   private:
     double fraction() const;

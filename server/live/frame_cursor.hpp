@@ -51,7 +51,7 @@ class FrameCursor {
     const UpdateRing& ring() const { return *ring_; }
 
     /// Calls `wake` whenever next() may have a frame, as long as the cursor lives.
-    void wake_by(std::function<void()> wake) { news_ = ring_->listen(std::move(wake)); }
+    void wake_by(std::function<void()> wake) { listener_ = ring_->listen(std::move(wake)); }
 
     /// Says whether updates are being left out.
     bool behind() const { return behind_; }
@@ -65,7 +65,7 @@ class FrameCursor {
     bool window_open(bool half) const;
 
     std::shared_ptr<UpdateRing> ring_;
-    std::shared_ptr<void> news_;
+    std::shared_ptr<void> listener_;
     Notice notice_;
     LeftOut left_out_;
     bool resumed_ = false;

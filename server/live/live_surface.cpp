@@ -132,7 +132,7 @@ void LiveSurface::fall_back() {
 }
 
 void LiveSurface::put_to_rest() {
-    if (looked_at())
+    if (has_viewers())
         return;
     const bool interrupted = stage_ >= SurfaceStage::Begun && busy();
     fall_back();
@@ -156,7 +156,7 @@ void LiveSurface::turned_away() {
 
 bool LiveSurface::unseen() const {
     return turned_away_ && services_.clock.now() - *turned_away_ >= limits::hidden_after &&
-           !looked_at();
+           !has_viewers();
 }
 
 std::uint32_t LiveSurface::refuse(core::SurfaceKind kind, core::Error error, bool rest) {
@@ -342,7 +342,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
     stage_ = std::max(stage_, stage_after(pass.phase));
     shown_ = pass;
     if (ranges_.add(update.ranges, is_early(pass)) && events_.ranges)
-        events_.ranges({id_, epoch_, ranges_.told()});
+        events_.ranges({id_, epoch_, ranges_.announced()});
     const bool first = !ring_->newest();
     auto state = std::exchange(update.wire.state, nullptr);
     ring_->add(std::make_shared<const Update>(std::move(update)), std::move(state));
@@ -413,8 +413,8 @@ SurfaceOutcome LiveSurface::outcome() const {
     return out;
 }
 
-BuildStanding LiveSurface::standing() const {
-    return progress_.standing(services_.clock.now());
+BuildStatus LiveSurface::status() const {
+    return progress_.status(services_.clock.now());
 }
 
 void LiveSurface::retire() {

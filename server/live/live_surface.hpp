@@ -5,6 +5,7 @@
 
 #include "server/base/loop.hpp"
 #include "server/data/datasets.hpp"
+#include "server/live/announced_ranges.hpp"
 #include "server/live/build_progress.hpp"
 #include "server/live/compute/compute_pool.hpp"
 #include "server/live/compute/pass_budgets.hpp"
@@ -14,7 +15,6 @@
 #include "server/live/surface_job.hpp"
 #include "server/live/surface_stage.hpp"
 #include "server/live/surface_waiters.hpp"
-#include "server/live/told_ranges.hpp"
 #include "server/live/update_ring.hpp"
 
 #include <array>
@@ -86,7 +86,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     bool resting() const { return rests(stage_); }
 
     /// Says whether a client shows it or waits for it.
-    bool looked_at() const { return ring_->read() || !waiters_->empty(); }
+    bool has_viewers() const { return ring_->read() || !waiters_->empty(); }
 
     /// Returns the time of the last request for it.
     std::chrono::steady_clock::time_point asked_for() const { return asked_for_; }
@@ -130,13 +130,13 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     SurfaceOutcome outcome() const;
 
     /// Returns the progress towards the complete state.
-    BuildStanding standing() const;
+    BuildStatus status() const;
 
     /// Returns the pass of the newest state if that is an early one.
     std::optional<SurfacePass> early() const;
 
     /// Returns the ranges of its values since it began to play, as last reported.
-    const ValueRanges& ranges() const { return ranges_.told(); }
+    const ValueRanges& ranges() const { return ranges_.announced(); }
 
     /// Returns the newest state of the current epoch; null without one.
     SharedUpdate newest() const { return ring_->newest(); }
@@ -221,7 +221,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     std::optional<SurfacePass> shown_;
 
     BuildProgress progress_;
-    ToldRanges ranges_; ///< of this epoch and those before that it continues
+    AnnouncedRanges ranges_; ///< of this epoch and those before that it continues
 
     PassBudgets budgets_{true};
     std::shared_ptr<void> trim_, overtake_, hide_; ///< timers

@@ -6,6 +6,7 @@
 #include "core/base/work_done.hpp"
 #include "core/surface/playback/growing_mesh.hpp"
 #include "core/surface/playback/played_surface.hpp"
+#include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/live/compute/history_budget.hpp"
@@ -19,6 +20,12 @@
 #include <stop_token>
 
 namespace wakesurf::server {
+
+/// The plan of an early pass: the same surface, coarser, so that there is something to see at once.
+/// Returns the plan of an early pass. The engine's quad budget bounds the work for any separation. A path
+/// surface is built whole, for any time of the pass; the others end at that time. REQUIRES: the pass is
+/// coarse or refined.
+core::SurfacePlan early_plan(core::SurfacePlan plan, const SurfacePass& pass);
 
 /// Refers to the accounts of a build's memory, which outlive it; null: not counted.
 struct BuildMemory {

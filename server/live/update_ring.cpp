@@ -30,7 +30,7 @@ void UpdateRing::begin(std::uint32_t epoch) {
     key_.reset();
     state_.reset();
     key_wanted_ = false;
-    news();
+    notify();
 }
 
 void UpdateRing::add(SharedUpdate update, std::shared_ptr<const protocol::WireMesh> state) {
@@ -44,7 +44,7 @@ void UpdateRing::add(SharedUpdate update, std::shared_ptr<const protocol::WireMe
     updates_.push_back(std::move(update));
     since_.push_back(clock_.now());
     trim();
-    news();
+    notify();
 }
 
 void UpdateRing::add_key(SharedUpdate key) {
@@ -55,7 +55,7 @@ void UpdateRing::add_key(SharedUpdate key) {
     key_since_ = clock_.now();
     if (key_)
         key_bytes_ = key_->wire.bytes;
-    news();
+    notify();
 }
 
 void UpdateRing::trim() {
@@ -143,14 +143,14 @@ SharedUpdate UpdateRing::key(std::optional<std::uint32_t> after_seq) {
     return nullptr;
 }
 
-std::shared_ptr<void> UpdateRing::listen(std::function<void()> news) {
-    auto listener = std::make_shared<Listener>(std::move(news));
+std::shared_ptr<void> UpdateRing::listen(std::function<void()> notify) {
+    auto listener = std::make_shared<Listener>(std::move(notify));
     std::erase_if(listeners_, [](const auto& each) { return each.expired(); });
     listeners_.push_back(listener);
     return listener;
 }
 
-void UpdateRing::news() {
+void UpdateRing::notify() {
     for (const auto& each : std::vector(listeners_))
         if (const auto listener = each.lock())
             (*listener)();

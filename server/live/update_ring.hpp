@@ -97,9 +97,9 @@ class UpdateRing {
     /// requested (once), and the listeners are notified.
     SharedUpdate key(std::optional<std::uint32_t> after_seq);
 
-    /// Calls `news` whenever there is something new to read, until the ticket is dropped. `news` must not
+    /// Calls `notify` whenever there is something new to read, until the ticket is dropped. `notify` must not
     /// change the ring.
-    [[nodiscard]] std::shared_ptr<void> listen(std::function<void()> news);
+    [[nodiscard]] std::shared_ptr<void> listen(std::function<void()> notify);
 
     std::size_t bytes() const { return bytes_; }
 
@@ -113,7 +113,7 @@ class UpdateRing {
   private:
     using Listener = std::function<void()>;
 
-    void news();
+    void notify();
 
     std::uint32_t number_;
     const core::Clock& clock_;

@@ -1,7 +1,7 @@
 #include "server/net/byte_stream.hpp"
 
 #include "server/base/limits.hpp"
-#include "server/net/security_headers.hpp"
+#include "server/net/http_message.hpp"
 
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/steady_timer.hpp>

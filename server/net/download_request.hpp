@@ -12,6 +12,11 @@
 
 namespace wakesurf::server {
 
+/// The query of a request's target, behind its `?`.
+/// Parses `time=2.5&draco=false` into values by name, percent signs resolved; empty for an empty text. Error:
+/// InvalidArgument for a part without `=`, a name twice, or a percent sign without two digits.
+core::Result<std::map<std::string, std::string>> url_query(std::string_view text);
+
 struct DownloadRequest {
     protocol::MeshFormat format = protocol::MeshFormat::Vtp;
     protocol::GlbCoding glb = protocol::GlbCoding::Draco;

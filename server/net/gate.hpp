@@ -4,10 +4,10 @@
 #pragma once
 
 #include "core/base/clock.hpp"
-#include "server/base/entropy.hpp"
+#include "server/base/identity.hpp"
 #include "server/base/metrics.hpp"
-#include "server/base/visitor.hpp"
-#include "server/live/compute/address_rates.hpp"
+#include "server/base/secret.hpp"
+#include "server/live/compute/budgets.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/logins.hpp"
 #include "server/sessions/people/grants.hpp"
@@ -29,7 +29,7 @@ struct GateOptions {
     std::uint16_t port = 0;
     std::vector<std::string> origins; ///< further ones, exact: https://viewer.example
     bool tls = false;                 ///< the server's own origins are https
-    KeptLogins* kept = nullptr;       ///< null: logins end with the server
+    LoginStore* kept = nullptr;       ///< null: logins end with the server
     UnixTime unix_time = unix_seconds;
 };
 
@@ -93,7 +93,7 @@ class Gate {
 
     /// Ends the login that is shown. `kept` is called, now or later, once a restarted server will know it;
     /// without a login, at once. @returns  Visitor::person of the login; empty: none
-    std::string logout(const HttpRequest& request, KeptLogins::Done kept);
+    std::string logout(const HttpRequest& request, LoginStore::Done kept);
 
   private:
     std::optional<Refusal> check_host(const HttpRequest& request) const;
@@ -110,7 +110,7 @@ class Gate {
 
     GateOptions options_;
     SecretDigest token_;
-    std::optional<KeptLogins> own_; ///< used without a state folder
+    std::optional<LoginStore> own_; ///< used without a state folder
     Logins logins_;
     const Grants& grants_;
     std::vector<std::string> hosts_;

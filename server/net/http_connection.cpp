@@ -121,7 +121,7 @@ class HttpConnection final : public Connection,
     void read_body();
     void failed(error_code error);
     void handle(Request request);
-    void look_whether_gone();
+    void check_still_connected();
     void upgrade(const HttpRequest& request, const Admitted& admitted);
     void respond(const HttpResponse& response, bool keep_alive, bool head);
     void write();
@@ -275,7 +275,7 @@ void HttpConnection::handle(Request request) {
         return upgrade(values, *admitted);
     }
     values.gone = gone_.emplace().get_token();
-    look_whether_gone();
+    check_still_connected();
     const bool keep_alive = request.keep_alive();
     const bool head = request.method() == http::verb::head;
     services_.routes.handle(
@@ -286,14 +286,14 @@ void HttpConnection::handle(Request request) {
 }
 
 /// Nothing is read while a client waits for an answer: only the kernel knows that it has hung up.
-void HttpConnection::look_whether_gone() {
+void HttpConnection::check_still_connected() {
     waiting_.expires_after(limits::gone_check);
     waiting_.async_wait([weak = weak_from_this()](error_code error) {
         const auto self = weak.lock();
         if (error || !self || !self->gone_)
             return;
         if (!self->stream_.peer_gone())
-            return self->look_whether_gone();
+            return self->check_still_connected();
         self->stream_.close();
         std::exchange(self->gone_, std::nullopt)->request_stop();
     });

@@ -7,7 +7,7 @@
 #include "server/net/gate.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/methods/dispatcher.hpp"
-#include "server/net/outbox_memory.hpp"
+#include "server/net/outbox.hpp"
 #include "server/net/session_files.hpp"
 #include "server/net/static_files.hpp"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "server/base/entropy.hpp"
 #include "server/base/private_file.hpp"
+#include "server/base/secret.hpp"
 
 #include <filesystem>
 #include <string>

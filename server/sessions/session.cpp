@@ -7,9 +7,145 @@
 #include "server/sessions/records/record_room.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace wakesurf::server {
+
+core::Result<Joined> Session::join(const Arrival& arrival, Observer& observer) {
+    auto joined = participants_.join(arrival, observer);
+    if (joined) {
+        profile_.arrived({joined->you.id, joined->you.name, joined->you.colour});
+        keep_profile();
+        attendance_.seen();
+    }
+    return joined;
+}
+
+void Session::leave(const Observer& observer) {
+    participants_.leave(observer);
+    somebody_went();
+}
+
+void Session::lose(const Observer& observer) {
+    participants_.lose(observer);
+    somebody_went();
+}
+
+/// Notes that a client went. A client that only reloads the page finds the session as it was.
+void Session::somebody_went() {
+    profile_.used();
+    keep_profile();
+    attendance_.seen();
+}
+
+bool Session::somebody() const {
+    bool found = !participants_.present().empty();
+    builds_.for_each([&](const LiveSurface& each) { found = found || each.has_viewers(); });
+    return found;
+}
+
+/// Stops a clock that no client looks at: it would have surfaces computed for ever, and what they keep
+/// belongs to others.
+void Session::rest() {
+    clock_.pause();
+    builds_.for_each([](LiveSurface& each) { each.put_to_rest(); });
+}
+
+/// Computes again from the beginning what was being computed; the rest is built when a client looks.
+void Session::resume() {
+    builds_.for_each([](LiveSurface& each) { each.resume(); });
+}
+
+void Session::rename(std::string name) {
+    name_ = std::move(name);
+    profile_.made_on_purpose();
+    announce({SessionName{id_, name_, units_}});
+}
+
+void Session::set_units(protocol::SessionUnits units) {
+    units_ = std::move(units);
+    profile_.edited();
+    announce({SessionName{id_, name_, units_}});
+}
+
+void Session::set_thumbnail(std::string base64) {
+    thumbnail_ = std::move(base64);
+    if (services_.journal != nullptr)
+        services_.journal->write(id_, {entry_of_thumbnail(thumbnail_)});
+}
+
+void Session::made_on_purpose() {
+    profile_.made_on_purpose();
+    keep_profile();
+}
+
+void Session::keep_profile() {
+    auto entry = profile_.due();
+    if (services_.journal != nullptr && entry)
+        services_.journal->write(id_, {std::move(*entry)});
+}
+
+void Session::dataset_changed(const std::string& dataset) {
+    const bool replaced = builds_.dataset_changed(dataset);
+    const auto& surfaces = records_.all<protocol::SurfaceRecord>();
+    const bool used = std::any_of(surfaces.begin(), surfaces.end(),
+                                  [&](const auto& each) { return each.second.dataset == dataset; });
+    if (used)
+        note_data(dataset, replaced);
+}
+
+/// @param replaced  it is known that the values are others than before
+void Session::note_data(const std::string& dataset, bool replaced) {
+    const auto open = services_.datasets.open(dataset);
+    if (!open || open->store == nullptr)
+        return;
+    const std::string known = profile_.data(dataset);
+    if (!replaced && !known.empty() && !open->store->contradicts(known))
+        return;
+    profile_.set_data(dataset, open->store->values());
+    if (known.empty())
+        return;
+    if (participants_.present().empty())
+        replaced_data_.insert(open->info.name);
+    keep_profile();
+    if (thumbnail_.empty())
+        return;
+    thumbnail_.clear(); // it shows what is there no more
+    if (services_.journal != nullptr)
+        services_.journal->write(id_, {{"thumbnail", "", std::nullopt}});
+}
+
+void Attendance::seen() {
+    seen_ = clock_.now();
+    if (!look_)
+        look_later();
+    if (std::exchange(empty_, false))
+        events_.back();
+}
+
+std::shared_ptr<void> Attendance::stay() {
+    seen();
+    if (auto held = stay_.lock())
+        return held;
+    auto held = std::make_shared<int>();
+    stay_ = held;
+    return held;
+}
+
+void Attendance::look_later() {
+    look_ = loop_.after(look_every, [this] { look(); });
+}
+
+void Attendance::look() {
+    if (!stay_.expired() || events_.somebody())
+        seen_ = clock_.now();
+    if (clock_.now() - seen_ < nobody)
+        return look_later();
+    look_.reset();
+    empty_ = true;
+    events_.empty();
+}
 
 using core::Error;
 using core::fail;

@@ -9,10 +9,77 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string_view>
 #include <utility>
 
 namespace wakesurf::server {
+
+namespace {
+
+/// Is the time between two readings of the wall clock, which may be set meanwhile.
+constexpr std::chrono::hours trash_look{1};
+
+} // namespace
+
+std::int64_t deleted_until(const protocol::SessionProfile& profile) {
+    return std::min(profile.deleted.value_or(0) + limits::trash_kept.count(),
+                    protocol::last_utc_second);
+}
+
+SessionTrash::SessionTrash(Loop& loop,
+                           UnixTime unix_time,
+                           std::function<void(const TrashedSession&)> purged,
+                           const core::MemoryAccount* account)
+    : loop_(loop), unix_time_(std::move(unix_time)), purged_(std::move(purged)), account_(account) {
+}
+
+void SessionTrash::put(TrashedSession session) {
+    if (account_ != nullptr) {
+        std::size_t bytes = 0;
+        for (const JournalEntry& each : session.entries)
+            bytes += each.type.size() + each.id.size() + (each.record ? each.record->size() : 0);
+        session.memory = account_->open(core::MemoryUse::Records);
+        session.memory.set(bytes);
+    }
+    std::string id = session.id;
+    sessions_[std::move(id)] = std::move(session);
+    schedule();
+}
+
+const TrashedSession* SessionTrash::find(const std::string& id) const {
+    const auto found = sessions_.find(id);
+    return found == sessions_.end() ? nullptr : &found->second;
+}
+
+core::Result<TrashedSession> SessionTrash::take(const std::string& id) {
+    auto node = sessions_.extract(id);
+    if (!node)
+        return core::fail(core::Error::Code::NotFound,
+                          "there is no session `" + id.substr(0, 64) + "` in the trash",
+                          "`trash` of `session.list` lists those that are");
+    return std::move(node.mapped());
+}
+
+void SessionTrash::purge() {
+    const std::int64_t now = unix_time_();
+    std::set<std::string> over;
+    for (const auto& [id, session] : sessions_)
+        if (deleted_until(session.profile) <= now)
+            over.insert(id);
+    for (const std::string& id : std::exchange(over_, over))
+        if (over_.erase(id) != 0)
+            if (const auto gone = take(id))
+                purged_(*gone);
+    timer_.reset();
+    schedule();
+}
+
+void SessionTrash::schedule() {
+    if (timer_ || sessions_.empty())
+        return;
+    timer_ = loop_.after(trash_look, [this] { purge(); });
+}
 
 using core::Error;
 using core::fail;
@@ -133,7 +200,7 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::fork(const std::string&
     return session;
 }
 
-core::Result<std::shared_ptr<Session>> SessionDirectory::import(KeptRecords records,
+core::Result<std::shared_ptr<Session>> SessionDirectory::import(StoredRecords records,
                                                                 std::string name) {
     if (auto room = room_for(records.records); !room)
         return tl::unexpected(room.error());
@@ -148,7 +215,7 @@ RestoreReport SessionDirectory::restore(const std::string& id,
                                         std::span<const JournalEntry> entries) {
     next_session_ = std::max(next_session_, number_of(id, id_start).value_or(0) + 1);
     if (in_trash(entries)) {
-        KeptRecords kept = read_entries(entries);
+        StoredRecords kept = read_entries(entries);
         TrashedSession session = trashed(id, kept.name.empty() ? id : kept.name, *kept.profile,
                                          kept.records, !kept.thumbnail.empty());
         for (const JournalEntry& each : entries)

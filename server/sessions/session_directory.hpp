@@ -3,20 +3,82 @@
 // sessions it refuses to make more.
 #pragma once
 
+#include "core/base/memory_account.hpp"
+#include "core/base/result.hpp"
+#include "protocol/api/record_text.hpp"
+#include "server/base/journal.hpp"
+#include "server/base/loop.hpp"
+#include "server/base/unix_time.hpp"
 #include "server/live/compute/history_budget.hpp"
-#include "server/live/giving_back.hpp"
+#include "server/live/memory_reclaim.hpp"
+#include "server/sessions/records/session_records.hpp"
 #include "server/sessions/session.hpp"
-#include "server/sessions/session_trash.hpp"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace wakesurf::server {
+
+/// Sessions that were deleted: for thirty days each can be restored as it was, then it is gone for good. What
+/// is kept of one is what the journal has of it, as text; nothing of it runs.
+struct TrashedSession {
+    std::string id;
+    std::string name;
+    protocol::SessionProfile profile;
+    std::array<std::size_t, record_types.size()> records{}; ///< how many of each type
+    bool thumbnail = false;
+    std::vector<JournalEntry> entries;      ///< all of it but its share links
+    core::MemoryAccount::Share memory = {}; ///< of those
+};
+
+/// Returns the second since 1970 at which it will be gone for good.
+std::int64_t deleted_until(const protocol::SessionProfile& profile);
+
+/// Loop thread only. By the wall clock, so that thirty days are thirty days across restarts. As that can be
+/// wrong for a while, as after a start, nothing goes before it has been over for two looks, an hour apart.
+class SessionTrash {
+  public:
+    /// `purged` is told of each session whose time is over, after it has left the trash.
+    /// @param account  may be null
+    SessionTrash(Loop& loop,
+                 UnixTime unix_time,
+                 std::function<void(const TrashedSession&)> purged,
+                 const core::MemoryAccount* account = nullptr);
+    SessionTrash(const SessionTrash&) = delete;
+    SessionTrash& operator=(const SessionTrash&) = delete;
+
+    /// REQUIRES: the profile says since when it is deleted.
+    void put(TrashedSession session);
+
+    /// Returns null where there is none.
+    const TrashedSession* find(const std::string& id) const;
+
+    /// Takes a session out of the trash. Error: NotFound.
+    core::Result<TrashedSession> take(const std::string& id);
+
+    const std::map<std::string, TrashedSession>& all() const { return sessions_; }
+
+  private:
+    void purge();
+    void schedule();
+
+    Loop& loop_;
+    UnixTime unix_time_;
+    std::function<void(const TrashedSession&)> purged_;
+    const core::MemoryAccount* account_;
+    std::map<std::string, TrashedSession> sessions_;
+    std::set<std::string> over_; ///< at the last look
+    std::shared_ptr<void> timer_;
+};
 
 /// Loop thread only.
 class SessionDirectory {
@@ -49,7 +111,7 @@ class SessionDirectory {
     void give_up(const std::string& id);
 
     /// Makes a session of records that have been checked. Error: OverLimit.
-    core::Result<std::shared_ptr<Session>> import(KeptRecords records, std::string name);
+    core::Result<std::shared_ptr<Session>> import(StoredRecords records, std::string name);
 
     /// Brings a session back from what the journal kept of it, into the trash if it was there. Before any
     /// client is served.
@@ -102,7 +164,7 @@ class SessionDirectory {
 
     HistoryBudget histories_;
     SessionServices services_;
-    std::optional<GivingBack> giving_back_;
+    std::optional<MemoryReclaim> giving_back_;
     std::uint32_t next_surface_number_ = 1;
     std::size_t next_session_ = 1;
     std::map<std::string, std::shared_ptr<Session>> sessions_;

@@ -3,17 +3,40 @@
 #pragma once
 
 #include "protocol/api/session_file.hpp"
+#include "server/base/journal.hpp"
 #include "server/data/datasets.hpp"
 #include "server/sessions/records/record_entries.hpp"
 #include "server/sessions/session.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace wakesurf::server {
+
+/// All that a server before this one kept of its sessions, given to those whose it is.
+class Grants;
+class SessionDirectory;
+
+struct RestoredSessions {
+    struct Refused {
+        std::string session;
+        KeptAside record;
+    };
+
+    std::size_t sessions = 0;
+    std::size_t records = 0;
+    /// The entries that could not be used; the journal has been asked to keep them aside.
+    std::vector<Refused> refused;
+};
+
+/// Restores them by session, before any client is served; surfaces are built afterwards. Loop thread only.
+RestoredSessions restore_sessions(const std::map<std::string, std::vector<JournalEntry>>& kept,
+                                  SessionDirectory& sessions,
+                                  Grants& grants);
 
 /// Holds a session's values at one moment, so that its file can be written elsewhere.
 struct SessionSnapshot {
@@ -33,7 +56,7 @@ protocol::SessionFile file_of(const SessionSnapshot& snapshot);
 
 /// Holds a session file whose records are sound.
 struct ReadSession {
-    KeptRecords records;
+    StoredRecords records;
     std::vector<protocol::DatasetMark> datasets; ///< as the file names them
 };
 

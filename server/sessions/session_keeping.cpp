@@ -25,7 +25,7 @@ bool was_shared(const JournalEntry& entry) {
 } // namespace
 
 /// Older versions kept no profile of a session: each of their sessions counts as work, unless it is empty.
-protocol::SessionProfile Session::profile_of(KeptRecords& kept,
+protocol::SessionProfile Session::profile_of(StoredRecords& kept,
                                              std::span<const JournalEntry> entries) const {
     protocol::SessionProfile profile;
     if (kept.profile) {
@@ -114,7 +114,7 @@ void Session::begin(std::uint32_t epochs_before, bool rest) {
 }
 
 RestoreReport Session::restore(std::span<const JournalEntry> entries) {
-    KeptRecords kept = read_entries(entries);
+    StoredRecords kept = read_entries(entries);
     if (!kept.name.empty())
         name_ = std::move(kept.name);
     units_ = std::move(kept.units);
@@ -166,7 +166,7 @@ void Session::copy(const Session& other, bool on_purpose) {
     begin(0, false); // a copy is made to be looked at
 }
 
-void Session::take_over(KeptRecords kept) {
+void Session::take_over(StoredRecords kept) {
     records_ = std::move(kept.records);
     units_ = std::move(kept.units);
     if (kept.clock) {

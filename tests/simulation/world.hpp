@@ -4,8 +4,8 @@
 #pragma once
 
 #include "core/base/clock.hpp"
-#include "server/base/entropy.hpp"
 #include "server/base/loop.hpp"
+#include "server/base/secret.hpp"
 
 #include <algorithm>
 #include <chrono>

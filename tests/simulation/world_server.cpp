@@ -3,7 +3,7 @@
 #include "server/net/methods/client.hpp"
 #include "server/net/methods/method.hpp"
 #include "server/net/outbox.hpp"
-#include "server/sessions/session_restoring.hpp"
+#include "server/sessions/session_exchange.hpp"
 
 #include <algorithm>
 #include <optional>

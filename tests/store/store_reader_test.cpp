@@ -348,7 +348,7 @@ TEST(StoreReader, NeverReadsAnotherSeriesInThePlaceOfTheOneThatIsOpen) {
         EXPECT_NE(loaded.error().message.find("was replaced while in use"), std::string::npos)
             << loaded.error().message;
     }
-    EXPECT_FALSE(reader->look_again().value());
+    EXPECT_FALSE(reader->refresh().value());
     EXPECT_EQ(velocity_of(**open(layout)->load(1, {}))[0], 11.0f);
 }
 
@@ -369,7 +369,7 @@ TEST(StoreReader, ReadsTheSameValuesWrittenAgain) {
     const auto before = velocity_of(**reader->load(1, {}));
     put_series(layout, {0, 1, 2});
     EXPECT_EQ(velocity_of(**reader->load(1, {})), before);
-    EXPECT_TRUE(reader->look_again().value());
+    EXPECT_TRUE(reader->refresh().value());
 }
 
 TEST(StoreReader, KnowsTheMarksOfStepsThatCome) {

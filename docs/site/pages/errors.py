@@ -68,7 +68,7 @@ def empty_kinds():
 
 def closing_codes():
     """Codes of our own that a WebSocket is closed with."""
-    return re.findall(r"= (4\d{3})\b", read("server/net/methods/wire.hpp"))
+    return re.findall(r"= (4\d{3})\b", read("server/net/methods/client.hpp"))
 
 
 def client_kinds(kinds):

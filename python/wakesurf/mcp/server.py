@@ -16,7 +16,7 @@ from ..errors import WakesurfError
 from ..generated.version import VERSION
 from ..plain import Json
 from . import edit_tools, file_tools, number_tools
-from .own_words import hint_in_tools, in_tools
+from .name_mapping import hint_in_tools, in_tools
 from .tool import Answer, Call, Stopped, Tool
 from .wire import INTERNAL, INVALID_PARAMETERS, INVALID_REQUEST, METHOD_NOT_FOUND, Batch, Id, Out, Refused, Reply, checked, fault, lines, \
     message_of, result

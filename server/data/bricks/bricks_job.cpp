@@ -1,17 +1,22 @@
 #include "server/data/bricks/bricks_job.hpp"
 
+#include "server/base/log_text.hpp"
+
 #include <CLI/CLI.hpp>
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <spdlog/spdlog.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -22,13 +27,102 @@ extern char** environ;
 namespace wakesurf::server {
 
 using core::Error;
+using core::Result;
+
+Result<bool> JobKeeper::tend() {
+    listen();
+    const Time now = options_.wall().now();
+    if (!job_)
+        return now < next_start_ ? Result<bool>(false) : start().map([] { return false; });
+    if (talk_)
+        return false;
+    if (auto came = let_in(); !came || *came)
+        return came;
+    if (job_->ended())
+        return core::fail(Error::Code::Io, "the job ended before it was there",
+                          "its own words are above");
+    if (now - started_ >= options_.coming)
+        return core::fail(Error::Code::Io, "the job does not come");
+    return false;
+}
+
+Result<void> JobKeeper::start() {
+    auto opened = LocalDoor::open();
+    if (!opened)
+        return tl::unexpected(opened.error());
+    door_.emplace(std::move(*opened));
+    std::vector<std::string> words = options_.words;
+    words.insert(words.end(), {options_.program.string(), options_.store.string(), "--socket",
+                               door_->path().string()});
+    if (options_.memory > 0)
+        words.insert(words.end(), {"--memory", std::to_string(options_.memory)});
+    auto begun = BricksJob::start(std::move(words));
+    if (!begun)
+        return tl::unexpected(begun.error());
+    started_ = options_.wall().now();
+    job_ = std::move(*begun);
+    return {};
+}
+
+void JobKeeper::listen() {
+    if (job_)
+        for (const std::string& line : job_->lines())
+            if (!line.empty())
+                spdlog::info("event=bricks_job message={}", log_value(line));
+}
+
+Result<bool> JobKeeper::let_in() {
+    if (!guest_)
+        if (auto came = door_->let_in())
+            guest_ = std::move(*came);
+    if (!guest_)
+        return false;
+    auto met = JobTalk::meet(*guest_, wanted_);
+    if (!met)
+        return tl::unexpected(met.error());
+    if (!*met)
+        return false;
+    guest_.reset();
+    door_.reset(); // nobody else comes, and a server that is killed leaves nothing behind
+    talk_ = std::move(**met);
+    rest_ = options_.first_rest;
+    spdlog::info("event=bricks_job_there ranks={} bricks={}", talk_->ranks(), talk_->held());
+    return true;
+}
+
+void JobKeeper::end() {
+    guest_.reset();
+    talk_.reset(); // the job notices, and ends
+    listen();
+    job_.reset();
+    door_.reset();
+    next_start_ = options_.wall().now() + rest_;
+    rest_ = std::min(2 * rest_, options_.longest_rest);
+}
+
+void JobKeeper::watch(std::vector<pollfd>& files) const {
+    if (job_ && !job_->ended() && job_->output() >= 0)
+        files.push_back({job_->output(), POLLIN, 0});
+    if (talk_)
+        files.push_back({talk_->socket(), POLLIN, 0});
+    else if (guest_)
+        files.push_back({guest_->get(), POLLIN, 0});
+    else if (door_)
+        files.push_back({door_->file(), POLLIN, 0});
+}
+
+JobKeeper::Time JobKeeper::due() const {
+    return !job_ ? next_start_ : !talk_ ? started_ + options_.coming : Time::max();
+}
+
+using core::Error;
 
 namespace {
 
 constexpr std::size_t longest_word_line = 4096;
 constexpr std::chrono::milliseconds look{10};
-constexpr int looks_alone = 100;      // polls before it is asked to end: it may end by itself
-constexpr int looks_when_asked = 200; // polls before it is killed
+constexpr int polls_before_term = 100; // polls before it is asked to end: it may end by itself
+constexpr int polls_before_kill = 200; // polls before it is killed
 
 /// Starts the job in a process group of its own: a signal of the terminal goes to the server, which then ends
 /// the job.
@@ -116,9 +210,9 @@ core::Result<std::unique_ptr<BricksJob>> BricksJob::start(std::vector<std::strin
 }
 
 BricksJob::~BricksJob() {
-    if (!ends_within(process_, looks_alone)) {
+    if (!ends_within(process_, polls_before_term)) {
         ::kill(process_, SIGTERM); // the starter of the ranks forwards it
-        (void)ends_within(process_, looks_when_asked);
+        (void)ends_within(process_, polls_before_kill);
     }
     for (const pid_t each : with_those_below(process_)) // the remaining processes
         ::kill(each, SIGKILL);

@@ -2,9 +2,8 @@
 
 #include "core/base/either_stop.hpp"
 #include "server/base/log_text.hpp"
-#include "server/data/bricks/job_keeper.hpp"
-#include "server/data/bricks/reads_from_files.hpp"
-#include "server/data/bricks/reads_on_their_way.hpp"
+#include "server/data/bricks/brick_reads.hpp"
+#include "server/data/bricks/bricks_job.hpp"
 
 #include <poll.h>
 #include <spdlog/spdlog.h>
@@ -16,10 +15,32 @@
 #include <deque>
 #include <iterator>
 #include <mutex>
+#include <string_view>
 #include <thread>
 #include <utility>
 
 namespace wakesurf::server {
+
+namespace {
+
+WantedJob job_of(const store::StoreReader& reader) {
+    const core::BrickLayout& layout = reader.bricks()->layout();
+    WantedJob wanted;
+    wanted.shape = {layout.dimensions(), layout.cells(), reader.times().size(),
+                    3 * layout.nodes_per_brick()};
+    wanted.contradicts = [&reader](std::string_view marks) {
+        (void)reader.refresh(); // the job may know more time-steps
+        return reader.contradicts(marks);
+    };
+    return wanted;
+}
+
+} // namespace
+
+RankedStore::RankedStore(std::shared_ptr<const store::StoreReader> reader,
+                         RankBricks::Options options)
+    : reader_(std::move(reader)), ranks_(*reader_->bricks(), job_of(*reader_), std::move(options)) {
+}
 
 using core::BrickRead;
 using core::Error;
@@ -54,7 +75,7 @@ struct RankBricks::State {
 
     void tend(const std::stop_token& unwanted);
     void wait();
-    void look();
+    void poll();
     void welcome();
     void ask();
     Result<void> take_answers();
@@ -174,7 +195,7 @@ void RankBricks::State::wait() {
     (void)!::read(bell.get(), &rings, sizeof(rings));
 }
 
-void RankBricks::State::look() {
+void RankBricks::State::poll() {
     const auto came = keeper.tend();
     if (!came)
         return end_job(came.error());
@@ -191,7 +212,7 @@ void RankBricks::State::tend(const std::stop_token& unwanted) {
     const core::EitherStop stop(options.closing, unwanted);
     const std::stop_callback wake(stop.token(), [this] { ring(); });
     for (; !stop.token().stop_requested(); wait())
-        look();
+        poll();
     for (const WaitingRead& each : all_that_wait())
         each.cancel();
     keeper.end();

@@ -29,7 +29,7 @@ using ProcessTime = std::chrono::steady_clock;
 
 namespace {
 
-constexpr std::chrono::milliseconds answer_look{20};
+constexpr std::chrono::milliseconds answer_poll_interval{20};
 constexpr std::size_t most_words = 4096;
 
 /// Returns the bound on points of a complete answer: a point is shared by at least two triangles, or lies at
@@ -186,7 +186,7 @@ core::Result<void> LevelProcess::read(std::size_t bytes, const std::stop_token& 
     auto before = worked();
     while (part_.size() < bytes) {
         pollfd file{talk_, POLLIN, 0};
-        const int ready = ::poll(&file, 1, static_cast<int>(answer_look.count()));
+        const int ready = ::poll(&file, 1, static_cast<int>(answer_poll_interval.count()));
         const auto now = ProcessTime::now();
         if (ready > 0) {
             const std::size_t there = part_.size();

@@ -6,11 +6,11 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
+#include "server/base/identity.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/metrics.hpp"
-#include "server/base/visitor.hpp"
-#include "server/live/compute/token_bucket.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstddef>
@@ -21,6 +21,50 @@
 #include <string>
 
 namespace wakesurf::server {
+
+/// A rate with room for bursts: tokens come at a steady rate up to a most, and a caller without one waits.
+class TokenBucket {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// Begins full.
+    TokenBucket(double per_second, double most, Time now)
+        : per_second_(per_second), most_(most), left_(most), at_(now) {}
+
+    /// Takes `tokens`, on credit if need be. Returns how long to wait until there is no debt: zero where
+    /// there is none.
+    std::chrono::milliseconds take(Time now, double tokens) {
+        left_ = at(now) - tokens;
+        at_ = now;
+        return until(0.0, left_);
+    }
+
+    /// Returns how long to wait until there are as many tokens; zero if there are.
+    std::chrono::milliseconds wait_for(Time now, double tokens) const {
+        return until(tokens, at(now));
+    }
+
+    /// Returns whether it is full, as at the beginning.
+    bool full(Time now) const { return at(now) >= most_; }
+
+  private:
+    double at(Time now) const {
+        const double elapsed = std::chrono::duration<double>(now - at_).count();
+        return std::min(most_, left_ + elapsed * per_second_);
+    }
+
+    std::chrono::milliseconds until(double tokens, double left) const {
+        if (left >= tokens)
+            return {};
+        return std::chrono::ceil<std::chrono::milliseconds>(
+            std::chrono::duration<double>((tokens - left) / per_second_));
+    }
+
+    double per_second_;
+    double most_;
+    double left_;
+    Time at_;
+};
 
 /// The kinds of use that are counted while they last; see limits::Budget.
 enum class Use : std::uint8_t { Socket, Request, Download, Probe, Wait };
@@ -103,6 +147,30 @@ class Budgets {
     Shared by_links_;
     std::map<std::string, Shared> accounts_;
     std::size_t sweep_at_ = 1024;
+};
+
+/// A rate for each address that asks, of what needs no token. Beyond limits::addresses of them the further
+/// ones share one.
+/// Loop thread only.
+class AddressRates {
+  public:
+    /// REQUIRES: the clock outlives it.
+    AddressRates(double per_second, double at_once, const core::Clock& clock)
+        : per_second_(per_second), at_once_(at_once), clock_(clock) {}
+
+    /// Returns how long to wait until one more may come; zero if it may come now.
+    std::chrono::milliseconds wait_for(const std::string& from);
+
+    /// On credit, if need be.
+    void take(const std::string& from, double count);
+
+  private:
+    TokenBucket& of(const std::string& from);
+
+    double per_second_;
+    double at_once_;
+    const core::Clock& clock_;
+    std::map<std::string, TokenBucket> left_;
 };
 
 } // namespace wakesurf::server

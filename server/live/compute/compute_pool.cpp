@@ -2,7 +2,6 @@
 
 #include "core/base/event_count.hpp"
 #include "core/base/mpsc_queue.hpp"
-#include "server/live/compute/thread_priority.hpp"
 #include "server/live/compute/worker_threads.hpp"
 
 #include <oneapi/tbb/global_control.h>

@@ -2,8 +2,6 @@
 // oldest goes first. A session that has used little lately is light, and its jobs may be taken first.
 #pragma once
 
-#include "server/live/compute/recent_use.hpp"
-
 #include <chrono>
 #include <cstddef>
 #include <deque>
@@ -13,6 +11,38 @@
 #include <string>
 
 namespace wakesurf::server {
+
+/// Counts how much each session has used of a processor or of a thread lately, in seconds that decay
+/// exponentially.
+/// Not thread safe. Cost of every call: O(log sessions).
+class RecentUse {
+  public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    /// @param memory  what was used so long ago counts for 1/e
+    explicit RecentUse(std::chrono::milliseconds memory) : memory_(memory) {}
+
+    void add(const std::string& session, double seconds, Time now);
+
+    /// Returns the share of that time: 1 for a session that has used one thread all the time.
+    double share(const std::string& session, Time now) const;
+
+    /// Sessions whose share is more. Cost: O(sessions that have used anything lately).
+    std::size_t busier_than(double share, Time now) const;
+
+  private:
+    struct Use {
+        double seconds = 0.0;
+        Time since{};
+    };
+
+    double at(const Use& use, Time now) const;
+    void forget_idle(Time now);
+
+    std::chrono::milliseconds memory_;
+    std::map<std::string, Use> uses_;
+    Time swept_{};
+};
 
 /// Not thread safe. Cost of every call: O(sessions with jobs, log sessions).
 class FairQueue {

@@ -1,14 +1,67 @@
 #include "server/live/compute/worker_threads.hpp"
 
-#include "server/live/compute/thread_priority.hpp"
-
 #include <oneapi/tbb/task_arena.h>
 #include <oneapi/tbb/task_scheduler_observer.h>
+#include <pthread.h>
+#include <sched.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <ctime>
 #include <utility>
 
 namespace wakesurf::server {
+
+namespace {
+
+/// sched_setattr(2); the C library has neither.
+struct SchedulerAttributes {
+    std::uint32_t size = sizeof(SchedulerAttributes);
+    std::uint32_t policy = SCHED_OTHER;
+    std::uint64_t flags = 0;
+    std::int32_t nice = 0;
+    std::uint32_t priority = 0;
+    std::uint64_t runtime = 0; ///< ns: of a slice
+    std::uint64_t deadline = 0;
+    std::uint64_t period = 0;
+};
+
+constexpr std::uint64_t short_slice = 500'000; // the kernel's own: about 3 ms
+
+double seconds_of(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+} // namespace
+
+int own_thread_id() {
+    return static_cast<int>(syscall(SYS_gettid));
+}
+
+void step_back(int niceness, int thread) {
+    setpriority(PRIO_PROCESS, static_cast<id_t>(thread == 0 ? own_thread_id() : thread), niceness);
+}
+
+void ask_for_short_slices() {
+    SchedulerAttributes attributes;
+    attributes.nice = getpriority(PRIO_PROCESS, static_cast<id_t>(own_thread_id()));
+    attributes.runtime = short_slice;
+    syscall(SYS_sched_setattr, 0, &attributes, 0u);
+}
+
+double processor_seconds() {
+    return seconds_of(CLOCK_THREAD_CPUTIME_ID);
+}
+
+double processor_seconds(std::thread::native_handle_type thread) {
+    clockid_t clock{};
+    return pthread_getcpuclockid(thread, &clock) == 0 ? seconds_of(clock) : 0.0;
+}
 
 namespace {
 
@@ -202,7 +255,7 @@ void WorkerThreads::keep() {
                 return;
             for (auto each = workers_.begin(); each != workers_.end();) {
                 const auto worker = each++;
-                busy = look_after(*worker) || busy;
+                busy = supervise(*worker) || busy;
                 if (worker->ended)
                     ended.splice(ended.end(), workers_, worker);
             }
@@ -217,7 +270,7 @@ void WorkerThreads::keep() {
 }
 
 /// Returns whether it has a job that may run for too long.
-bool WorkerThreads::look_after(Worker& worker) {
+bool WorkerThreads::supervise(Worker& worker) {
     const auto& patience = worker.group.rules.patience;
     if (!worker.since || !patience)
         return false;

@@ -1,7 +1,11 @@
 // The long answers about datasets: their text is made once, and shared by all who ask until it changes.
 #pragma once
 
+#include "protocol/wire/lattice.hpp"
+#include "server/data/dataset_catalogue.hpp"
 #include "server/data/datasets.hpp"
+
+#include <nlohmann/json_fwd.hpp>
 
 #include <map>
 #include <memory>
@@ -9,6 +13,12 @@
 #include <vector>
 
 namespace wakesurf::server {
+
+/// Returns a DatasetEntry, as the description of the API has it.
+nlohmann::json dataset_entry(const DatasetStatus& status);
+
+/// Returns a Lattice.
+nlohmann::json lattice_json(const protocol::Lattice& lattice);
 
 /// Loop thread only. What an answer of many time-steps costs beyond this is a copy of its text.
 class DatasetAnswers {

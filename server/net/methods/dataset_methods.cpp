@@ -2,11 +2,10 @@
 #include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/dataset.hpp"
 #include "server/data/datasets.hpp"
+#include "server/net/methods/caller.hpp"
 #include "server/net/methods/dataset_answers.hpp"
-#include "server/net/methods/dataset_entry.hpp"
 #include "server/net/methods/import_waiters.hpp"
 #include "server/net/methods/method.hpp"
-#include "server/net/methods/permission.hpp"
 #include "server/net/methods/work_progress.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +65,7 @@ void dataset_suggest(const Call& call, const protocol::DatasetSuggest& of, Reply
         });
 }
 
-json look_at(const DatasetStatus& status) {
+json status_json(const DatasetStatus& status) {
     json out{{"message", fmt::format("{}: {} of {} time-steps", status.name, status.steps_ready,
                                      status.steps_total)},
              {"percentage", static_cast<int>(100.0 * status.progress)}};
@@ -128,7 +127,7 @@ void dataset_open(const Call& call, const protocol::DatasetOpen& of, Reply reply
     if (token && call.client != nullptr)
         opening->progress.emplace(call, *token, "opening " + status->name, [imports, id] {
             const auto now = imports->status(id);
-            return now ? look_at(*now) : json::object();
+            return now ? status_json(*now) : json::object();
         });
     // A notification has no answer: it begins an import, but waits for none.
     const bool unheard = call.client != nullptr && !call.stop.stop_possible();

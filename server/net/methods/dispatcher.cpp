@@ -4,7 +4,7 @@
 #include "protocol/api/openrpc.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/log_text.hpp"
-#include "server/net/methods/permission.hpp"
+#include "server/net/methods/caller.hpp"
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>

@@ -93,7 +93,7 @@ void FamilyJobs::make(const std::string& dataset,
             core::WorkMemory memory(account, stop, std::chrono::seconds(1), "this family");
             auto made = make_family(**open, wish, stop, {done.get(), &memory});
             if (made)
-                shared->catalogue.look_for_families(dataset);
+                shared->catalogue.refresh_families(dataset);
             return made;
         },
         std::move(answer));
@@ -111,7 +111,7 @@ void FamilyJobs::remove(const std::string& dataset,
             return shared->catalogue.find(dataset)
                 .and_then([&](const auto& open) { return remove_family(*open, name); })
                 .map([&] {
-                    shared->catalogue.look_for_families(dataset);
+                    shared->catalogue.refresh_families(dataset);
                     return name;
                 });
         },

@@ -61,7 +61,7 @@ class FamilyProgress {
                    const core::Clock& clock)
         : name_(std::move(name)), work_(std::move(work)), clock_(clock), began_(clock.now()) {}
 
-    json look() {
+    json progress_json() {
         const std::chrono::duration<double> gone = clock_.now() - began_;
         forecast_.add(gone.count(), work_->fraction());
         const int percent = static_cast<int>(std::floor(100.0 * work_->fraction()));
@@ -113,7 +113,7 @@ void family_make(const Call& call, const protocol::FamilyMake& of, Reply reply) 
         making->progress.emplace(
             call, *token, "making the family " + of.name,
             [progress = std::make_shared<FamilyProgress>(of.name, work, call.context.clock)] {
-                return progress->look();
+                return progress->progress_json();
             });
     FamilyWish wish{of.name, std::move(*request), {}};
     if (of.time)

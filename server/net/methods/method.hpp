@@ -4,9 +4,9 @@
 
 #include "protocol/api/base/checked_json.hpp"
 #include "protocol/api/json_rpc.hpp"
+#include "server/base/identity.hpp"
 #include "server/base/journal.hpp"
 #include "server/base/metrics.hpp"
-#include "server/base/visitor.hpp"
 #include "server/data/datasets.hpp"
 #include "server/live/compute/budgets.hpp"
 #include "server/live/probe.hpp"
@@ -71,10 +71,10 @@ struct MethodContext {
     Grants& grants;
     const core::Clock& clock;
     Loop& loop;
-    Journal* journal = nullptr;           ///< answers to edits wait for it
-    std::function<Standing()> standing{}; ///< how the server stands; may be empty
-    Metrics* metrics = nullptr;           ///< null: calls are not counted
-    ImportWaiters* imports = nullptr;     ///< null: datasets stay as they are
+    Journal* journal = nullptr;             ///< answers to edits wait for it
+    std::function<ServerStatus()> status{}; ///< how the server stands; may be empty
+    Metrics* metrics = nullptr;             ///< null: calls are not counted
+    ImportWaiters* imports = nullptr;       ///< null: datasets stay as they are
     std::string notice{};           ///< a notification for each client that joins; empty: none
     Budgets* budgets = nullptr;     ///< null: nothing is limited
     FamilyJobs* families = nullptr; ///< null: none are made

@@ -13,6 +13,15 @@
 
 namespace wakesurf::server {
 
+/// Returns an array of ValueRange.
+nlohmann::json ranges_json(const ValueRanges& ranges);
+
+/// Returns a Statistics.
+nlohmann::json outcome_json(const SurfaceOutcome& outcome);
+
+/// Returns a Problem.
+nlohmann::json error_json(const core::Error& error);
+
 /// Returns the array of all records of a type.
 template <class R>
 auto all_json(const Session& session) {

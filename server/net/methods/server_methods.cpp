@@ -31,7 +31,7 @@ json quantiles_json(const Quantiles& quantiles) {
             {"count", quantiles.count}};
 }
 
-json cache_json(const CacheStanding& cache) {
+json cache_json(const CacheStatus& cache) {
     return {{"dataset", cache.dataset},
             {"hits", cache.hits},
             {"loads", cache.loads},
@@ -51,25 +51,24 @@ json stages_json(const Metrics& metrics, std::size_t participants, std::size_t s
             {"firstFrame", quantiles_json(metrics.first_frames())}};
 }
 
-json stats_json(const Metrics& metrics, const Standing& standing) {
+json stats_json(const Metrics& metrics, const ServerStatus& status) {
     json uses = json::object();
-    for (std::size_t i = 0; i < standing.memory.by_use.size(); ++i)
-        uses[std::string(core::name_of(static_cast<core::MemoryUse>(i)))] =
-            standing.memory.by_use[i];
+    for (std::size_t i = 0; i < status.memory.by_use.size(); ++i)
+        uses[std::string(core::name_of(static_cast<core::MemoryUse>(i)))] = status.memory.by_use[i];
     const ProcessMemory memory = process_memory();
     const Metrics::Totals totals = metrics.totals();
-    json out = stages_json(metrics, standing.participants, standing.surfaces);
-    out.update({{"uptime", standing.uptime},
-                {"connections", standing.connections},
-                {"clients", standing.clients},
-                {"sessions", standing.sessions},
-                {"cache", protocol::list_json(standing.caches, cache_json)},
+    json out = stages_json(metrics, status.participants, status.surfaces);
+    out.update({{"uptime", status.uptime},
+                {"connections", status.connections},
+                {"clients", status.clients},
+                {"sessions", status.sessions},
+                {"cache", protocol::list_json(status.caches, cache_json)},
                 {"memory",
                  {{"rss", memory.resident},
                   {"peak", memory.peak},
-                  {"budget", standing.memory.budget},
-                  {"used", standing.memory.used},
-                  {"refused", standing.memory.refused},
+                  {"budget", status.memory.budget},
+                  {"used", status.memory.used},
+                  {"refused", status.memory.refused},
                   {"byUse", std::move(uses)}}},
                 {"messages", totals.messages},
                 {"frames", totals.frames},
@@ -95,14 +94,14 @@ void server_ping(const Call&, const protocol::ServerPing&, Reply reply) {
 }
 
 void server_stats(const Call& call, const protocol::ServerStats&, Reply reply) {
-    if (call.context.metrics == nullptr || !call.context.standing)
+    if (call.context.metrics == nullptr || !call.context.status)
         return reply.fault({protocol::RpcCode::NotFound,
                             "this server keeps no statistics",
                             "`server.info` says what it offers",
                             {},
                             {}});
     if (call.identity.session.empty())
-        return reply.result(stats_json(*call.context.metrics, call.context.standing()));
+        return reply.result(stats_json(*call.context.metrics, call.context.status()));
     const auto session = call.context.sessions.find(call.identity.session);
     if (!session)
         return reply.fault(session.error());

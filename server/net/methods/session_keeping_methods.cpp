@@ -6,7 +6,6 @@
 #include "server/base/limits.hpp"
 #include "server/net/methods/caller.hpp"
 #include "server/net/methods/method.hpp"
-#include "server/net/methods/permission.hpp"
 #include "server/net/methods/records_json.hpp"
 #include "server/net/methods/session_import.hpp"
 #include "server/sessions/records/thumbnail.hpp"

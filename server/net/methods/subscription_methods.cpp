@@ -3,9 +3,9 @@
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
 #include "server/net/methods/caller.hpp"
-#include "server/net/methods/dataset_entry.hpp"
+#include "server/net/methods/dataset_answers.hpp"
 #include "server/net/methods/method.hpp"
-#include "server/net/methods/outcome_json.hpp"
+#include "server/net/methods/records_json.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -4,7 +4,7 @@
 #include "server/base/forecast.hpp"
 #include "server/net/methods/caller.hpp"
 #include "server/net/methods/method.hpp"
-#include "server/net/methods/outcome_json.hpp"
+#include "server/net/methods/records_json.hpp"
 #include "server/net/methods/work_progress.hpp"
 
 #include <fmt/format.h>
@@ -21,26 +21,26 @@ using nlohmann::json;
 namespace {
 
 /// Returns what a waiting client is told: the newest state, and how far the work on a better one is.
-json look_at(const LiveSurface& live, Forecast& forecast) {
+json status_json(const LiveSurface& live, Forecast& forecast) {
     const SurfaceOutcome now = live.outcome();
-    const BuildStanding standing = live.standing();
+    const BuildStatus status = live.status();
     const char* phase = now.complete ? "final" : now.statistics.quads > 0 ? "coarse" : "computing";
-    forecast.add(standing.seconds, standing.fraction);
+    forecast.add(status.seconds, status.fraction);
     json out{{"message", now.statistics.quads > 0
                              ? fmt::format("{}: {} quads", phase, now.statistics.quads)
                              : std::string(phase)},
              {"phase", phase},
-             {"percentage", 100.0 * standing.fraction},
+             {"percentage", 100.0 * status.fraction},
              {"epoch", now.epoch},
              {"quads", now.statistics.quads},
              {"vertices", now.statistics.vertices},
-             {"seconds", standing.seconds}};
+             {"seconds", status.seconds}};
     if (now.complete)
         return out;
-    if (standing.time)
-        out["time"] = *standing.time;
-    if (standing.quads > 0)
-        out["quadsSoFar"] = standing.quads;
+    if (status.time)
+        out["time"] = *status.time;
+    if (status.quads > 0)
+        out["quadsSoFar"] = status.quads;
     if (const auto left = forecast.left())
         out["remaining"] = *left;
     return out;
@@ -74,7 +74,7 @@ void surface_wait(const Call& call, const protocol::SurfaceWait& of, Reply reply
         waiting->progress.emplace(call, *token, "waiting for surface " + of.surface,
                                   [weak, forecast = Forecast()]() mutable {
                                       const auto still = weak.lock();
-                                      return still ? look_at(*still, forecast) : json::object();
+                                      return still ? status_json(*still, forecast) : json::object();
                                   });
     const std::uint64_t ticket =
         (*live)->wait(of.epoch.value_or((*live)->epoch()), std::chrono::milliseconds(of.timeout_ms),

@@ -22,9 +22,9 @@ std::optional<std::string> work_token(const Call& call, const std::optional<std:
     return call.stop.stop_possible() ? given : std::nullopt;
 }
 
-WorkProgress::WorkProgress(const Call& call, std::string token, std::string title, Look look)
+WorkProgress::WorkProgress(const Call& call, std::string token, std::string title, Measure measure)
     : client_(*call.client), loop_(call.context.loop), stop_(call.stop), token_(std::move(token)),
-      look_(std::move(look)) {
+      measure_(std::move(measure)) {
     tell({{"kind", "begin"}, {"message", std::move(title)}, {"cancellable", true}});
     arm();
 }
@@ -32,7 +32,7 @@ WorkProgress::WorkProgress(const Call& call, std::string token, std::string titl
 WorkProgress::~WorkProgress() {
     if (stop_.stop_requested())
         return;
-    json value = look_();
+    json value = measure_();
     value["kind"] = "end";
     tell(std::move(value));
 }
@@ -49,9 +49,9 @@ void WorkProgress::arm() {
 void WorkProgress::report() {
     if (stop_.stop_requested())
         return;
-    json value = look_();
-    if (std::string text = protocol::json_text(value); text != told_) {
-        told_ = std::move(text);
+    json value = measure_();
+    if (std::string text = protocol::json_text(value); text != sent_) {
+        sent_ = std::move(text);
         value["kind"] = "report";
         tell(std::move(value));
     }

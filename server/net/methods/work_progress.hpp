@@ -1,5 +1,5 @@
 // $/progress for one call that takes its time and came with a `workDoneToken`: begin, now and then a report,
-// end. A look at the work ten times a second, not an event for each change, so that no work can flood its
+// end. A measure at the work ten times a second, not an event for each change, so that no work can flood its
 // caller.
 #pragma once
 
@@ -25,10 +25,10 @@ std::optional<std::string> work_token(const Call& call, const std::optional<std:
 class WorkProgress {
   public:
     /// Returns what the work would report now, or nothing new. Members of `value` beside `kind`.
-    using Look = std::function<nlohmann::json()>;
+    using Measure = std::function<nlohmann::json()>;
 
     /// Tells `begin` at once. REQUIRES: call.client, and a token that work_token returned.
-    WorkProgress(const Call& call, std::string token, std::string title, Look look);
+    WorkProgress(const Call& call, std::string token, std::string title, Measure measure);
     /// Tells `end`.
     ~WorkProgress();
     WorkProgress(const WorkProgress&) = delete;
@@ -43,8 +43,8 @@ class WorkProgress {
     Loop& loop_;
     std::stop_token stop_;
     std::string token_;
-    Look look_;
-    std::string told_; ///< as text: the newest report
+    Measure measure_;
+    std::string sent_; ///< as text: the newest report
     std::shared_ptr<void> timer_;
 };
 

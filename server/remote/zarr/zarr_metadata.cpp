@@ -1,16 +1,178 @@
 #include "server/remote/zarr/zarr_metadata.hpp"
 
 #include "core/base/plain_text.hpp"
+#include "core/base/result.hpp"
 #include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
-#include "server/remote/zarr/zarr_attributes.hpp"
-#include "server/remote/zarr/zarr_numbers.hpp"
+#include "server/remote/zarr/zarr_array.hpp"
 
 #include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <openssl/evp.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
 
 namespace wakesurf::server {
+
+/// Reads "<f4", ">f8", "|u1", of version 2. Returns false for unsupported types.
+bool read_zarr_type(ZarrArray& array, std::string_view text);
+
+/// Reads "float32", "uint8", of version 3, which states the byte order elsewhere.
+bool read_zarr_type_name(ZarrArray& array, std::string_view text);
+
+/// Reads a fill_value; empty for null. Error: Corrupt.
+core::Result<std::optional<double>> read_zarr_fill(const ZarrArray& array,
+                                                   const nlohmann::json& value);
+
+using core::Error;
+using core::Result;
+using nlohmann::json;
+
+namespace {
+
+/// Parses the bits of a number, as version 3 may write them: "0x7fc00000".
+std::optional<double> number_of_bits(const ZarrArray& array, std::string_view text) {
+    std::uint64_t bits = 0;
+    const auto read = std::from_chars(text.data() + 2, text.data() + text.size(), bits, 16);
+    if (read.ec != std::errc() || read.ptr != text.data() + text.size() ||
+        text.size() != 2 + 2 * array.number_bytes)
+        return std::nullopt;
+    if (array.number_bytes == 4)
+        return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+    if (array.number_bytes == 8)
+        return std::bit_cast<double>(bits);
+    const bool none = (bits & 0x7c00u) == 0x7c00u && (bits & 0x3ffu) != 0;
+    return none ? std::optional(std::numeric_limits<double>::quiet_NaN()) : std::nullopt;
+}
+
+} // namespace
+
+bool read_zarr_type(ZarrArray& array, std::string_view text) {
+    if (text.size() != 3 || text[2] < '1' || text[2] > '8')
+        return false;
+    array.big_endian = text[0] == '>';
+    array.number = text[1] == 'f'   ? ZarrArray::Number::Float
+                   : text[1] == 'i' ? ZarrArray::Number::Signed
+                                    : ZarrArray::Number::Unsigned;
+    array.number_bytes = static_cast<std::size_t>(text[2] - '0');
+    return std::string_view("<>|").find(text[0]) != std::string_view::npos &&
+           std::string_view("fiu").find(text[1]) != std::string_view::npos &&
+           std::has_single_bit(array.number_bytes) && (text[1] != 'f' || array.number_bytes > 1);
+}
+
+bool read_zarr_type_name(ZarrArray& array, std::string_view text) {
+    for (const auto& [name, number] : {std::pair{"float", 'f'}, {"int", 'i'}, {"uint", 'u'}}) {
+        if (!text.starts_with(name))
+            continue;
+        const auto bits = text.substr(std::string_view(name).size());
+        for (const auto& [said, bytes] :
+             {std::pair{"8", '1'}, {"16", '2'}, {"32", '4'}, {"64", '8'}})
+            if (bits == said)
+                return read_zarr_type(array, std::string{'<', number, bytes});
+    }
+    return false;
+}
+
+Result<std::optional<double>> read_zarr_fill(const ZarrArray& array, const json& value) {
+    if (value.is_null())
+        return std::optional<double>();
+    if (value.is_number())
+        return std::optional(value.get<double>());
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const std::string text = value.is_string() ? value.get<std::string>() : "";
+    if (text == "NaN")
+        return std::optional(std::numeric_limits<double>::quiet_NaN());
+    if (text == "Infinity" || text == "-Infinity")
+        return std::optional(text[0] == '-' ? -infinity : infinity);
+    if (array.number == ZarrArray::Number::Float && text.starts_with("0x"))
+        if (const auto number = number_of_bits(array, text))
+            return number;
+    return core::fail(Error::Code::Corrupt, "its fill_value is no number");
+}
+
+/// Reads the attributes; unknown and malformed ones are ignored. REQUIRES: the array's shape, number and fill
+/// are known; the names of its axes, unless they are among the attributes.
+void read_zarr_attributes(ZarrArray& array, const nlohmann::json& given);
+
+using nlohmann::json;
+
+namespace {
+
+constexpr std::size_t longest_unit = 128; // of times with the date that they count from
+
+/// Returns the number that stands for a missing value. null is a NaN, as parse_zarr_json leaves it; a text is
+/// eight bytes of a double in base64, as xarray writes them into version 3. Empty for anything else.
+std::optional<double> missing_number(const json& value) {
+    if (value.is_null())
+        return std::numeric_limits<double>::quiet_NaN();
+    if (value.is_number())
+        return value.get<double>();
+    const std::string text = value.is_string() ? value.get<std::string>() : "";
+    std::array<unsigned char, 9> bytes{}; // the last one is padding
+    if (text.size() != 12 || text.back() != '=' ||
+        EVP_DecodeBlock(bytes.data(), reinterpret_cast<const unsigned char*>(text.data()), 12) != 9)
+        return std::nullopt;
+    double number = 0.0;
+    std::memcpy(&number, bytes.data(), sizeof(number));
+    return number;
+}
+
+/// Adds missing numbers. @param value  one, or a list
+void add_missing(ZarrArray& array, const json& value) {
+    constexpr std::size_t most = 8; // each number of the array is compared with all of them
+    const json list = value.is_array() ? value : json::array({value});
+    for (std::size_t i = 0; i < std::min(most, list.size()); ++i) {
+        const auto number = missing_number(list[i]);
+        if (number && std::isnan(*number))
+            array.missing_is_nan = true;
+        else if (number)
+            array.missing.push_back(*number);
+    }
+}
+
+void forget_odd_names(ZarrArray& array) {
+    if (array.dimensions.size() != array.shape.size() ||
+        !std::all_of(array.dimensions.begin(), array.dimensions.end(), is_plain_name))
+        array.dimensions.clear();
+}
+
+} // namespace
+
+void read_zarr_attributes(ZarrArray& array, const json& given) {
+    const json attributes = given.is_object() ? given : json::object();
+    const auto text = [&](const char* name) {
+        const auto found = attributes.find(name);
+        return found != attributes.end() && found->is_string() ? found->get<std::string>() : "";
+    };
+    const auto number = [&](const char* name) -> std::optional<double> {
+        const auto found = attributes.find(name);
+        return found != attributes.end() && found->is_number() ? std::optional(found->get<double>())
+                                                               : std::nullopt;
+    };
+    array.unit = core::display_name(text("units"), longest_unit);
+    array.scale = number("scale_factor").value_or(1.0);
+    array.offset = number("add_offset").value_or(0.0);
+    for (const char* name : {"_FillValue", "missing_value"})
+        if (const auto found = attributes.find(name); found != attributes.end())
+            add_missing(array, *found);
+    // A fill value of 0 is most often a default without meaning.
+    if (array.fill && *array.fill != 0.0 && std::isfinite(*array.fill))
+        array.missing.push_back(*array.fill);
+    const auto names = attributes.find("_ARRAY_DIMENSIONS");
+    if (names != attributes.end() && names->is_array() && array.dimensions.empty())
+        for (const json& each : *names)
+            array.dimensions.push_back(each.is_string() ? each.get<std::string>() : "");
+    forget_odd_names(array);
+}
 
 using core::Error;
 using core::fail;

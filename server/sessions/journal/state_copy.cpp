@@ -1,8 +1,9 @@
 #include "server/sessions/journal/state_copy.hpp"
 
 #include "server/base/unix_time.hpp"
+#include "server/sessions/journal/backup_coordinator.hpp"
 #include "server/sessions/journal/commit_mark.hpp"
-#include "server/sessions/journal/state_desk.hpp"
+#include "server/sessions/journal/database.hpp"
 #include "server/sessions/journal/state_folder.hpp"
 #include "server/sessions/journal/state_opening.hpp"
 
@@ -84,7 +85,7 @@ core::Result<void> copy_with_log(const fs::path& from, const fs::path& to) {
 
 core::Result<void> copy_of_running(const fs::path& folder, const fs::path& to) {
     for (int attempt = 0; attempt < tries; ++attempt) {
-        auto hold = StateHold::ask(folder);
+        auto hold = BackupLock::ask(folder);
         if (!hold)
             return tl::unexpected(hold.error());
         if (auto copied = copy_one(folder / "sessions.sqlite", to); !copied)

@@ -93,4 +93,17 @@ class StateStore {
     std::map<std::string, RowSum> sums_;        ///< of them; of all under an empty name
 };
 
+/// The sessions that an earlier server has left in the folder of `--state`.
+struct StoredSessions {
+    StateFolder folder;
+    StateStore store;
+    /// All sessions, also those without a usable record.
+    std::map<std::string, std::vector<JournalEntry>> sessions;
+    std::map<std::string, std::vector<KeptAside>> aside;   ///< by earlier starts
+    std::map<std::string, std::vector<KeptAside>> damaged; ///< since this start
+
+    /// Opens the folder; waits for the disk. Error: as StateFolder::hold and StateStore::open.
+    static core::Result<StoredSessions> open(const std::filesystem::path& folder);
+};
+
 } // namespace wakesurf::server

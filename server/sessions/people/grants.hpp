@@ -5,7 +5,6 @@
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
 #include "protocol/api/record_text.hpp"
-#include "server/base/entropy.hpp"
 #include "server/base/identity.hpp"
 #include "server/base/journal.hpp"
 #include "server/base/loop.hpp"

@@ -3,7 +3,6 @@
 #include "core/base/plain_text.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/numbered_id.hpp"
-#include "server/sessions/people/free_name.hpp"
 #include "server/sessions/records/colours.hpp"
 
 #include <algorithm>
@@ -12,6 +11,17 @@
 #include <utility>
 
 namespace wakesurf::server {
+
+std::string free_name(const std::string& name,
+                      std::size_t longest,
+                      const std::function<bool(const std::string&)>& taken) {
+    std::string candidate = name;
+    for (std::size_t number = 2; taken(candidate); ++number) {
+        const std::string suffix = " " + std::to_string(number);
+        candidate = core::display_name(name, longest - suffix.size()) + suffix;
+    }
+    return candidate;
+}
 
 using core::Error;
 using core::fail;
@@ -53,7 +63,7 @@ Participants::Participants(
               const std::size_t told = std::max<std::size_t>(present_.size(), 1);
               return std::max<std::size_t>(limits::presence_entries / told, 1);
           },
-          [this](const PresenceNews::Batch& batch) { return tell(batch); }) {}
+          [this](const PresenceEvents::Batch& batch) { return tell(batch); }) {}
 
 core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observer) {
     const SecretDigest token = secret_digest(arrival.resume_token);
@@ -322,7 +332,7 @@ std::vector<protocol::ParticipantRecord> Participants::shown() const {
 }
 
 /// A participant is not told of itself here.
-std::size_t Participants::tell(const PresenceNews::Batch& batch) const {
+std::size_t Participants::tell(const PresenceEvents::Batch& batch) const {
     std::vector<std::string> ids;
     std::vector<std::string> entries;
     for (const auto& [id, members] : batch.changed)

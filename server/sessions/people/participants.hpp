@@ -5,18 +5,18 @@
 
 #include "core/base/result.hpp"
 #include "protocol/api/messages_presence.hpp"
-#include "server/base/entropy.hpp"
 #include "server/base/identity.hpp"
 #include "server/base/journal.hpp"
 #include "server/base/loop.hpp"
 #include "server/base/secret.hpp"
 #include "server/base/unix_time.hpp"
-#include "server/sessions/people/presence_news.hpp"
+#include "server/sessions/people/presence_events.hpp"
 #include "server/sessions/records/observer.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +24,11 @@
 #include <vector>
 
 namespace wakesurf::server {
+
+/// Returns `name`, or `name 2`, `name 3`, ...: the first that is not `taken`; at most `longest` bytes.
+std::string free_name(const std::string& name,
+                      std::size_t longest,
+                      const std::function<bool(const std::string&)>& taken);
 
 struct Participant {
     std::string id;
@@ -129,7 +134,7 @@ class Participants {
     void hide(const std::string& id);
     void trim();
     void forget(std::deque<Absent>::iterator going);
-    std::size_t tell(const PresenceNews::Batch& batch) const;
+    std::size_t tell(const PresenceEvents::Batch& batch) const;
     static JournalEntry entry_of(const Participant& place, std::optional<std::int64_t> left);
     void keep(const Participant& place, std::optional<std::int64_t> left = {});
     void strike(const Participant& place);
@@ -142,7 +147,7 @@ class Participants {
     std::vector<Participant> present_;
     std::deque<Absent> absent_; ///< who left last comes last
     std::size_t next_ = 1;
-    PresenceNews news_;
+    PresenceEvents news_;
 };
 
 } // namespace wakesurf::server

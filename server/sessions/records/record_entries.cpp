@@ -2,7 +2,6 @@
 
 #include "core/base/plain_text.hpp"
 #include "core/surface/time_direction.hpp"
-#include "server/sessions/records/older_surface.hpp"
 #include "server/sessions/records/thumbnail.hpp"
 
 #include <algorithm>
@@ -39,12 +38,7 @@ core::Result<Record> parse(RecordType type, const std::string& text) {
     const auto wide = [](auto record) { return Record(std::move(record)); };
     switch (type) {
     case RecordType::Surface:
-        return protocol::parse_surface(text)
-            .map([](protocol::SurfaceRecord record) {
-                record.parameters = from_older(record.parameters);
-                return record;
-            })
-            .map(wide);
+        return protocol::parse_surface(text).map(wide);
     case RecordType::Bookmark:
         return protocol::parse_bookmark(text).map(wide);
     case RecordType::Annotation:
@@ -89,11 +83,11 @@ core::Result<void> take(const RecordKey& key, const std::string& text, SessionRe
     return {};
 }
 
-void refuse(const JournalEntry& entry, Error error, KeptRecords& into) {
+void refuse(const JournalEntry& entry, Error error, StoredRecords& into) {
     into.report.refused.push_back(refused_entry(entry, std::move(error)));
 }
 
-void take_head(const JournalEntry& entry, KeptRecords& into) {
+void take_head(const JournalEntry& entry, StoredRecords& into) {
     auto head = protocol::parse_session_head(*entry.record);
     if (!head)
         return refuse(entry, std::move(head.error()), into);
@@ -106,21 +100,21 @@ void take_head(const JournalEntry& entry, KeptRecords& into) {
     into.records.skip_numbers(RecordType::Annotation, head->next_annotation);
 }
 
-void take_clock(const JournalEntry& entry, KeptRecords& into) {
+void take_clock(const JournalEntry& entry, StoredRecords& into) {
     auto clock = protocol::parse_clock(*entry.record);
     if (!clock)
         return refuse(entry, std::move(clock.error()), into);
     into.clock = *clock;
 }
 
-void take_profile(const JournalEntry& entry, KeptRecords& into) {
+void take_profile(const JournalEntry& entry, StoredRecords& into) {
     auto profile = protocol::parse_profile(*entry.record);
     if (!profile)
         return refuse(entry, std::move(profile.error()), into);
     into.profile = std::move(*profile);
 }
 
-void take_thumbnail(const JournalEntry& entry, KeptRecords& into) {
+void take_thumbnail(const JournalEntry& entry, StoredRecords& into) {
     const std::string& text = *entry.record;
     const std::string base64 = text.size() < 2 ? text : text.substr(1, text.size() - 2);
     auto image = read_thumbnail(base64);
@@ -202,8 +196,8 @@ core::Result<void> check_clock(const protocol::ClockRecord& clock) {
                       "give other times or another speed");
 }
 
-KeptRecords read_entries(std::span<const JournalEntry> entries) {
-    KeptRecords out;
+StoredRecords read_entries(std::span<const JournalEntry> entries) {
+    StoredRecords out;
     for (const JournalEntry& entry : entries)
         if (entry.type == "session" && entry.record)
             take_head(entry, out);

@@ -47,7 +47,7 @@ struct RestoreReport {
     std::vector<RefusedEntry> refused;
 };
 
-struct KeptRecords {
+struct StoredRecords {
     std::string name; ///< of the session; empty where it was not kept
     std::uint64_t seq = 0;
     protocol::SessionUnits units{};
@@ -60,6 +60,6 @@ struct KeptRecords {
 
 /// Reads entries in any order, one per record. Entries of other types belong to other readers and are left
 /// alone.
-KeptRecords read_entries(std::span<const JournalEntry> entries);
+StoredRecords read_entries(std::span<const JournalEntry> entries);
 
 } // namespace wakesurf::server

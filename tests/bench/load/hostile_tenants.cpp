@@ -1,7 +1,7 @@
 #include "tests/bench/load/hostile_tenants.hpp"
 
 #include "core/base/vec3.hpp"
-#include "server/live/compute/thread_priority.hpp"
+#include "server/live/compute/worker_threads.hpp"
 #include "tests/support/server/raw_socket.hpp"
 
 #include <nlohmann/json.hpp>

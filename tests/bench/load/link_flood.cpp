@@ -1,6 +1,6 @@
 #include "tests/bench/load/link_flood.hpp"
 
-#include "server/live/compute/thread_priority.hpp"
+#include "server/live/compute/worker_threads.hpp"
 
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>

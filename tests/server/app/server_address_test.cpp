@@ -1,5 +1,5 @@
 // The address a server prints, as the command line takes it.
-#include "server/app/server_address.hpp"
+#include "server/app/session_server.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/request/surface_plan.hpp"
-#include "server/app/open_surface_options.hpp"
-#include "server/app/own_words.hpp"
+#include "server/app/name_mapping.hpp"
 #include "server/app/surface_request.hpp"
 #include "tests/support/value_of.hpp"
 

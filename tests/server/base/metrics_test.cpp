@@ -110,11 +110,11 @@ TEST(MetricsTest, CountsWhatWasSentDroppedRefusedAndFailed) {
 TEST(MetricsTest, TellsHowTheServerStandsAndForgetsADatasetThatIsGone) {
     const SetClock clock;
     const Metrics metrics(clock);
-    Standing standing;
-    standing.clients = 3;
-    standing.datasets = {{"ready", 2}, {"failed", 1}, {"stopped", 0}};
-    standing.caches.push_back({"flow \"a\"", 7, 2, 4096, 8192});
-    const std::string text = metrics.text(standing);
+    ServerStatus status;
+    status.clients = 3;
+    status.datasets = {{"ready", 2}, {"failed", 1}, {"stopped", 0}};
+    status.caches.push_back({"flow \"a\"", 7, 2, 4096, 8192});
+    const std::string text = metrics.text(status);
     EXPECT_TRUE(has_line(text, "wakesurf_clients 3")) << text;
     EXPECT_TRUE(has_line(text, R"(wakesurf_datasets{state="failed"} 1)")) << text;
     EXPECT_TRUE(has_line(text, R"(wakesurf_datasets{state="stopped"} 0)")) << text;

@@ -1,6 +1,6 @@
 // That the allocator gives freed memory back.
 #include "core/base/machine_memory.hpp"
-#include "server/base/spare_heap.hpp"
+#include "server/base/process_account.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "server/data/open_dataset.hpp"
-#include "server/data/source_watch.hpp"
+#include "server/data/served_dataset.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -87,9 +87,9 @@ TEST(SourceWatch, NoticesAnIndexThatIsWrittenInPlace) {
 TEST(SourceWatch, NeighboursCostNothing) {
     Series series(8);
     const auto cost = [&] {
-        const auto before = series.watch.looked_at();
+        const auto before = series.watch.files_checked();
         EXPECT_FALSE(series.watch.changed());
-        return series.watch.looked_at() - before;
+        return series.watch.files_checked() - before;
     };
     const auto alone = cost();
     for (int i = 0; i < 2000; ++i)
@@ -103,9 +103,9 @@ TEST(SourceWatch, NeighboursCostNothing) {
 TEST(SourceWatch, OfALongSeriesAPartIsLookedAtInTurns) {
     constexpr std::size_t steps = 3000;
     Series series(steps);
-    const auto before = series.watch.looked_at();
+    const auto before = series.watch.files_checked();
     EXPECT_FALSE(series.watch.changed());
-    EXPECT_LE(series.watch.looked_at() - before, SourceWatch::most_looked_at);
+    EXPECT_LE(series.watch.files_checked() - before, SourceWatch::most_files_checked);
     write_file(series.folder / step_name(steps - 1), "the newest");
     EXPECT_TRUE(series.watch.changed());
     series.watch.begin();
@@ -113,7 +113,7 @@ TEST(SourceWatch, OfALongSeriesAPartIsLookedAtInTurns) {
     std::size_t looks = 1;
     while (!series.watch.changed() && looks < 100)
         ++looks;
-    EXPECT_LE(looks, steps / (SourceWatch::most_looked_at - 64) + 1);
+    EXPECT_LE(looks, steps / (SourceWatch::most_files_checked - 64) + 1);
 }
 
 TEST(SourceWatch, WithoutKnownFilesTheWholeFolderCounts) {

@@ -75,42 +75,42 @@ TEST_F(LiveSurfaceTest, StopsWhatIsUnderWayKeepsWhatIsThereAndBuildsAgainWhenItI
 TEST_F(LiveSurfaceTest, TellsHowFarItIsOverAllPassesAndNeverLessThanBefore) {
     wall.each = std::chrono::milliseconds(10);
     surface->rebuild(job_of(core::SurfaceKind::Streak, 0.03));
-    EXPECT_EQ(surface->standing().fraction, 0.0);
+    EXPECT_EQ(surface->status().fraction, 0.0);
     std::vector<double> told;
     do
-        told.push_back(surface->standing().fraction);
+        told.push_back(surface->status().fraction);
     while (turn());
-    told.push_back(surface->standing().fraction);
+    told.push_back(surface->status().fraction);
     EXPECT_TRUE(std::ranges::is_sorted(told));
     EXPECT_GE(told.size(), 3U) << "early passes are a part of the way";
     EXPECT_GT(told[1], 0.0);
     EXPECT_LT(told[1], 0.3);
-    const BuildStanding there = surface->standing();
+    const BuildStatus there = surface->status();
     EXPECT_EQ(there.fraction, 1.0);
     EXPECT_EQ(there.time, 2.0);
     EXPECT_EQ(there.quads, done.back().statistics.quads);
     EXPECT_GT(there.seconds, 0.0);
 
     surface->rebuild(job_of(core::SurfaceKind::Streak, 0.031));
-    EXPECT_EQ(surface->standing().fraction, 0.0) << "another way";
-    EXPECT_FALSE(surface->standing().time);
+    EXPECT_EQ(surface->status().fraction, 0.0) << "another way";
+    EXPECT_FALSE(surface->status().time);
 }
 
 TEST_F(LiveSurfaceTest, GoesOnFromWhereItWasWhenAnotherTimeIsAskedForOnTheWay) {
     wall.each = std::chrono::milliseconds(10);
     surface->rebuild(job_of(core::SurfaceKind::Streak, 0.03));
     turn(); // the coarse one
-    const double before = surface->standing().fraction;
+    const double before = surface->status().fraction;
     surface->show(1.0, false, true);
-    EXPECT_GE(surface->standing().fraction, before);
+    EXPECT_GE(surface->status().fraction, before);
     while (turn())
-        EXPECT_GE(surface->standing().fraction, before);
-    EXPECT_EQ(surface->standing().fraction, 1.0);
+        EXPECT_GE(surface->status().fraction, before);
+    EXPECT_EQ(surface->status().fraction, 1.0);
     surface->show(1.5, false, true);
-    EXPECT_LT(surface->standing().fraction, 1.0) << "what was asked for is there: a new way";
+    EXPECT_LT(surface->status().fraction, 1.0) << "what was asked for is there: a new way";
     settle();
-    EXPECT_EQ(surface->standing().fraction, 1.0);
-    EXPECT_EQ(surface->standing().time, 1.5);
+    EXPECT_EQ(surface->status().fraction, 1.0);
+    EXPECT_EQ(surface->status().time, 1.5);
 }
 
 TEST_F(LiveSurfaceTest, LeavesEarlyStatesOutWhereTheFinalOneIsFast) {

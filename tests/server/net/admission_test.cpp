@@ -1,5 +1,5 @@
 // Who gets a permit: limits in all, and of one address while it has shown nothing; who makes room for whom.
-#include "server/live/compute/token_bucket.hpp"
+#include "server/live/compute/budgets.hpp"
 #include "server/net/admission.hpp"
 
 #include <gtest/gtest.h>

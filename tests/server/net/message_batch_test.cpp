@@ -1,5 +1,5 @@
 // What goes to a WebSocket in one write, beside frames put together by the letter of RFC 6455.
-#include "server/net/message_batch.hpp"
+#include "server/net/websocket_connection.hpp"
 #include "tests/server/live/sample_updates.hpp"
 #include "tests/support/server/hand_clock.hpp"
 

@@ -1,7 +1,6 @@
 // What waits for all clients together: bounded however many do not read, and a little is always for each.
 #include "server/base/limits.hpp"
 #include "server/net/outbox.hpp"
-#include "server/net/outbox_memory.hpp"
 
 #include <gtest/gtest.h>
 

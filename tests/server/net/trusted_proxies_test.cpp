@@ -1,5 +1,4 @@
 // Whom a request comes from behind proxies: only what trusted ones say counts.
-#include "server/net/proxy_protocol.hpp"
 #include "server/net/trusted_proxies.hpp"
 
 #include <gtest/gtest.h>

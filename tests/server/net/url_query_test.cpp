@@ -1,4 +1,4 @@
-#include "server/net/url_query.hpp"
+#include "server/net/download_request.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Turns to write, by hand.
-#include "server/net/write_turns.hpp"
+#include "server/net/net_services.hpp"
 #include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 class WriteTurnsTest : public testing::Test {
   protected:
-    struct Named final : WriteTurns::Writer {
+    struct Named final : WriteScheduler::Writer {
         Named(WriteTurnsTest& in, std::string called) : test(in), name(std::move(called)) {}
 
         void write_turn() override {
@@ -47,8 +47,8 @@ class WriteTurnsTest : public testing::Test {
 
     std::deque<std::function<void()>> tasks;
     HandClock clock;
-    WriteTurns turns{[this](std::function<void()> task) { tasks.push_back(std::move(task)); },
-                     clock};
+    WriteScheduler turns{[this](std::function<void()> task) { tasks.push_back(std::move(task)); },
+                         clock};
     std::vector<std::string> order;
     std::chrono::milliseconds cost{0}; ///< of a turn
 };
@@ -57,27 +57,27 @@ class WriteTurnsTest : public testing::Test {
 
 TEST_F(WriteTurnsTest, LetOtherEventsInBetweenAFewWritersAndAFewMore) {
     std::vector<std::shared_ptr<Named>> writers;
-    for (std::size_t i = 0; i < 3 * WriteTurns::at_once; ++i)
+    for (std::size_t i = 0; i < 3 * WriteScheduler::at_once; ++i)
         turns.ask(writers.emplace_back(writer("w")));
     tasks.emplace_back([this] { order.emplace_back("event"); });
     while (step()) {
     }
-    ASSERT_EQ(order.size(), 3 * WriteTurns::at_once + 1);
-    EXPECT_EQ(order[WriteTurns::at_once], "event");
+    ASSERT_EQ(order.size(), 3 * WriteScheduler::at_once + 1);
+    EXPECT_EQ(order[WriteScheduler::at_once], "event");
 }
 
 TEST_F(WriteTurnsTest, GetAsMuchTimeAsTheEventsBetweenThem) {
     std::vector<std::shared_ptr<Named>> writers;
-    for (std::size_t i = 0; i < 10 * WriteTurns::at_once; ++i)
+    for (std::size_t i = 0; i < 10 * WriteScheduler::at_once; ++i)
         turns.ask(writers.emplace_back(writer("w")));
     cost = std::chrono::milliseconds(1);
     step();
-    EXPECT_EQ(order.size(), WriteTurns::at_once);
+    EXPECT_EQ(order.size(), WriteScheduler::at_once);
     clock.time += std::chrono::milliseconds(40); // something large came in between
     step();
-    EXPECT_EQ(order.size(), 4 * WriteTurns::at_once);
+    EXPECT_EQ(order.size(), 4 * WriteScheduler::at_once);
     step();
-    EXPECT_EQ(order.size(), 5 * WriteTurns::at_once);
+    EXPECT_EQ(order.size(), 5 * WriteScheduler::at_once);
 }
 
 TEST_F(WriteTurnsTest, WriteOnlyWhenTheEventThatAskedIsOver) {

@@ -1,6 +1,6 @@
 // Sessions without anybody: by a clock that the test turns, and jobs that it runs.
 #include "core/field/analytic_flow.hpp"
-#include "server/sessions/attendance.hpp"
+#include "server/sessions/session.hpp"
 #include "server/sessions/session_directory.hpp"
 #include "tests/support/server/hand_clock.hpp"
 #include "tests/support/server/session_bench.hpp"

@@ -79,7 +79,7 @@ TEST(LevelRecords, HoldTheirFieldAndLevelThroughUndoAndARestart) {
     EXPECT_EQ(
         bench.session->records().get<protocol::SurfaceRecord>(made->surface)->parameters.level,
         0.25);
-    const KeptRecords kept = read_entries(bench.journal.entries("main"));
+    const StoredRecords kept = read_entries(bench.journal.entries("main"));
     EXPECT_TRUE(kept.report.refused.empty());
     EXPECT_EQ(kept.records.find<protocol::SurfaceRecord>(made->surface)->parameters,
               made->parameters);

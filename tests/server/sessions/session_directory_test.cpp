@@ -1,7 +1,7 @@
 // Which sessions there are: no one's work goes away by itself, what is deleted can be brought back, and limits are refusals.
 #include "server/base/limits.hpp"
 #include "server/sessions/people/grants.hpp"
-#include "server/sessions/session_restoring.hpp"
+#include "server/sessions/session_exchange.hpp"
 #include "tests/support/server/session_bench.hpp"
 
 #include <gtest/gtest.h>

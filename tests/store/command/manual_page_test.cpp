@@ -1,5 +1,5 @@
 // Manual page and completion: made from the declarations that --help shows, so that nothing can be missing or stale.
-#include "server/app/shell_completion.hpp"
+#include "server/app/packaged_texts.hpp"
 #include "store/command/manual_page.hpp"
 #include "tests/support/programs.hpp"
 

@@ -1,7 +1,7 @@
 // The sending half of a client without a socket, which records what it is sent.
 #pragma once
 
-#include "server/net/methods/wire.hpp"
+#include "server/net/methods/client.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,25 +1,199 @@
 // wakesurf-bricks: ranks of an MPI job that hold the bricks of a store in their memory, for a server whose
 // disk is too slow. The server starts it (`wakesurf serve --bricks`) and outlives it.
+
 #include "core/base/machine_memory.hpp"
-#include "server/data/bricks/ranks/asked_bricks.hpp"
+#include "core/base/result.hpp"
+#include "server/data/bricks/local_socket.hpp"
+#include "server/data/bricks/ranks/brick_window.hpp"
+#include "server/data/bricks/shared_slots.hpp"
 #include "store/command/manual_page.hpp"
 #include "store/command/memory_size.hpp"
 
 #include <CLI/CLI.hpp>
+#include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <climits>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <new>
 #include <thread>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Rank 0: receives the server's requests by the socket, gets bricks from the ranks into the shared memory,
+/// and reports them.
+class AskedBricks {
+  public:
+    /// Connects to the server at `door`. Error: Io; the server is missing, or refuses this job.
+    static core::Result<AskedBricks>
+    meet(const std::filesystem::path& door, const RankStore& store, BrickWindow& window);
+
+    /// Handles pending requests. Returns false if the server has gone, or asks for a brick that cannot exist.
+    /// @param wait  for the server, if there is nothing else to do
+    bool poll(bool wait);
+
+    /// Completes pending requests. Call it before the end.
+    void finish();
+
+  private:
+    using Time = std::chrono::steady_clock::time_point;
+
+    struct Coming {
+        std::uint32_t slot;
+        int rank; ///< the rank that has it
+        Time since;
+    };
+
+    AskedBricks(OpenFile server, SharedSlots slots, const RankStore& store, BrickWindow& window)
+        : server_(std::move(server)), slots_(std::move(slots)), store_(&store), window_(&window) {}
+
+    bool take_asks();
+    /// Says whether a rank's answer is overdue: it may hang, and the server has files.
+    bool is_late(int rank, Time now) const;
+    bool answer();
+
+    OpenFile server_;
+    SharedSlots slots_;
+    const RankStore* store_;
+    BrickWindow* window_;
+    std::chrono::milliseconds patience_{};
+    std::vector<MPI_Request> requests_;
+    std::vector<Coming> coming_;        ///< of each request
+    std::vector<std::uint32_t> filled_; ///< to be reported
+};
+
+using core::Error;
+
+namespace {
+
+constexpr std::size_t most_asks = 1024;
+constexpr int welcome_patience = 60'000; // ms
+
+/// Waits until the socket is readable, or for so many milliseconds.
+void wait_for(int socket, int milliseconds) {
+    pollfd file{socket, POLLIN, 0};
+    (void)::poll(&file, 1, milliseconds);
+}
+
+} // namespace
+
+core::Result<AskedBricks>
+AskedBricks::meet(const std::filesystem::path& door, const RankStore& store, BrickWindow& window) {
+    auto server = knock(door);
+    if (!server) {
+        Error error = server.error();
+        error.hint = "rank 0 has to run on the server's node";
+        return tl::unexpected(error);
+    }
+    JobHello hello;
+    hello.shape = store.shape();
+    int ranks = 1;
+    MPI_Comm_size(MPI_COMM_WORLD, &ranks);
+    hello.ranks = static_cast<std::uint64_t>(ranks);
+    hello.held = window.room();
+    std::vector<std::byte> words(sizeof(hello) + store.marks().size());
+    std::memcpy(words.data(), &hello, sizeof(hello));
+    std::memcpy(words.data() + sizeof(hello), store.marks().data(), store.marks().size());
+    ServerWelcome welcome;
+    Received came;
+    if (send_message(server->get(), words)) {
+        wait_for(server->get(), welcome_patience);
+        came = receive_message(server->get(), std::as_writable_bytes(std::span(&welcome, 1)));
+    }
+    if (came.bytes != sizeof(welcome) || welcome.magic != job_magic || came.passed.get() < 0 ||
+        welcome.slot_bytes != brick_record_bytes(store.shape().values))
+        return core::fail(Error::Code::Io, "the server wants no such job",
+                          "its log says why: event=bricks_job");
+    return SharedSlots::take(std::move(came.passed), welcome.slots, welcome.slot_bytes)
+        .map([&](SharedSlots slots) {
+            AskedBricks out(std::move(*server), std::move(slots), store, window);
+            out.patience_ = std::chrono::milliseconds(welcome.patience);
+            return out;
+        });
+}
+
+bool AskedBricks::poll(bool wait) {
+    constexpr int idle = 1000; // ms
+    if (wait && requests_.empty())
+        wait_for(server_.get(), idle);
+    return take_asks() && answer();
+}
+
+void AskedBricks::finish() {
+    MPI_Waitall(static_cast<int>(requests_.size()), requests_.data(), MPI_STATUSES_IGNORE);
+    requests_.clear();
+    coming_.clear();
+}
+
+bool AskedBricks::take_asks() {
+    std::array<BrickAsk, most_asks> asks;
+    for (;;) {
+        const Received came =
+            receive_message(server_.get(), std::as_writable_bytes(std::span(asks)));
+        if (came.state == Received::State::Nothing)
+            return true;
+        if (came.state == Received::State::Closed || came.bytes > sizeof(asks) ||
+            came.bytes % sizeof(BrickAsk) != 0)
+            return false;
+        for (const BrickAsk& ask : std::span(asks).first(came.bytes / sizeof(BrickAsk))) {
+            if (ask.slot >= slots_.count() || !store_->has(ask.step, ask.brick))
+                return false;
+            const auto slot = slots_.slot(ask.slot);
+            new (slot.data()) BrickHead{}; // until data come: not held
+            const auto rank = window_->rank_of(ask.step, ask.brick);
+            const Time now = std::chrono::steady_clock::now();
+            if (rank && !is_late(*rank, now)) {
+                requests_.push_back(window_->get(ask.step, ask.brick, slot));
+                coming_.push_back({ask.slot, *rank, now});
+            } else {
+                filled_.push_back(ask.slot);
+            }
+        }
+    }
+}
+
+bool AskedBricks::is_late(int rank, Time now) const {
+    return std::ranges::any_of(coming_, [&](const Coming& each) {
+        return each.rank == rank && now - each.since >= patience_;
+    });
+}
+
+bool AskedBricks::answer() {
+    for (std::size_t i = 0; i < requests_.size();) {
+        int here = 0;
+        MPI_Test(&requests_[i], &here, MPI_STATUS_IGNORE);
+        if (here == 0) {
+            ++i;
+            continue;
+        }
+        filled_.push_back(coming_[i].slot);
+        requests_[i] = requests_.back();
+        coming_[i] = coming_.back();
+        requests_.pop_back();
+        coming_.pop_back();
+    }
+    if (filled_.empty())
+        return true;
+    const bool told = send_message(server_.get(), std::as_bytes(std::span(filled_)));
+    filled_.clear();
+    return told;
+}
+
+} // namespace wakesurf::server
 
 namespace {
 
 using namespace wakesurf;
 
 constexpr unsigned ending_patience = 10; // s
-constexpr std::chrono::microseconds idle_look{50};
+constexpr std::chrono::microseconds idle_poll_interval{50};
 
 constexpr const char* chapters = R"(.SH SEE ALSO
 \fBwakesurf\fR(1), \fBmpirun\fR(1), \fBsrun\fR(1)
@@ -53,7 +227,7 @@ talk(const Wish& wish, const server::RankStore& store, server::BrickWindow& wind
     if (!asked)
         return tl::unexpected(asked.error());
     bool more = true;
-    while (asked->look(!more))
+    while (asked->poll(!more))
         more = more && window.load_next();
     ::alarm(ending_patience); // a rank that hangs does not block the others
     asked->finish();
@@ -68,7 +242,7 @@ void hold(server::BrickWindow& window, MPI_Request& end) {
         MPI_Test(&end, &over, MPI_STATUS_IGNORE);
         more = more && window.load_next();
         if (!more && over == 0)
-            std::this_thread::sleep_for(idle_look);
+            std::this_thread::sleep_for(idle_poll_interval);
     }
 }
 

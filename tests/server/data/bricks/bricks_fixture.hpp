@@ -4,7 +4,7 @@
 #include "core/dataset/brick_cache.hpp"
 #include "core/field/stored_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
-#include "server/data/bricks/ranked_store.hpp"
+#include "server/data/bricks/rank_bricks.hpp"
 #include "store/open_store.hpp"
 #include "store/store_generation.hpp"
 #include "tests/support/read_bricks.hpp"

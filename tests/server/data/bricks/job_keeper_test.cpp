@@ -1,5 +1,5 @@
 // When a job is started, waited for, given up and started again, by a clock that the test turns.
-#include "server/data/bricks/job_keeper.hpp"
+#include "server/data/bricks/bricks_job.hpp"
 #include "tests/server/data/bricks/fake_job.hpp"
 #include "tests/support/server/hand_clock.hpp"
 

@@ -1,5 +1,4 @@
 // Jobs of one priority class on threads: who waits for one that takes longer than expected, and which threads light sessions have.
-#include "server/live/compute/thread_priority.hpp"
 #include "server/live/compute/worker_threads.hpp"
 
 #include <gtest/gtest.h>

@@ -142,7 +142,7 @@ struct PermissionTest : testing::Test {
     SessionDirectory sessions{{loop, pool, datasets, entropy}};
     Budgets budgets{clock};
     Metrics metrics{clock};
-    Standing standing;
+    ServerStatus status;
     Dispatcher dispatcher{method_table(),
                           {sessions,
                            datasets,
@@ -152,7 +152,7 @@ struct PermissionTest : testing::Test {
                            clock,
                            loop,
                            nullptr,
-                           [this] { return standing; },
+                           [this] { return status; },
                            &metrics,
                            nullptr,
                            {},
@@ -193,8 +193,8 @@ TEST_F(PermissionTest, IsAskedForEveryMethodEveryRoleAndEverySession) {
 }
 
 TEST_F(PermissionTest, TellsALinkTheStatisticsOfItsOwnSessionOnly) {
-    standing.clients = 5;
-    standing.caches.push_back({"secret wing", 1, 2, 3, 4});
+    status.clients = 5;
+    status.caches.push_back({"secret wing", 1, 2, 3, 4});
     NotedWire there;
     Client stranger(there, {}, grants);
     for (const auto& id : {other, std::string("main")}) {

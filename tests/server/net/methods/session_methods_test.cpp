@@ -2,7 +2,7 @@
 #include "server/base/limits.hpp"
 #include "server/net/methods/dispatcher.hpp"
 #include "server/net/methods/method.hpp"
-#include "server/sessions/session_restoring.hpp"
+#include "server/sessions/session_exchange.hpp"
 #include "tests/support/server/noted_wire.hpp"
 #include "tests/support/server/session_bench.hpp"
 

@@ -1,4 +1,4 @@
-#include "server/sessions/people/free_name.hpp"
+#include "server/sessions/people/participants.hpp"
 
 #include <gtest/gtest.h>
 
