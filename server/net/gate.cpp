@@ -43,14 +43,6 @@ std::optional<std::string_view> bearer(std::string_view header) {
     return header;
 }
 
-/// Says whether a browser sends cookies of a page of an older wakesurf.
-bool has_old_cookie(const HttpRequest& request) {
-    const auto cookies = request.all("cookie");
-    return std::any_of(cookies.begin(), cookies.end(), [](std::string_view each) {
-        return each.find("wakesurf_session_") != each.npos;
-    });
-}
-
 /// Returns the token, the key of a link or the login of a request: from its header, or, since browsers can
 /// give a WebSocket no header, from its subprotocols. Cookies are ignored, because browsers send them to
 /// every port of a host, and every port can set them.
@@ -121,7 +113,7 @@ Gate::Gate(GateOptions options,
            const Grants& grants,
            Metrics* metrics)
     : options_(std::move(options)), token_(secret_digest(options_.token)),
-      own_(options_.kept == nullptr ? std::optional<KeptLogins>(std::in_place, entropy)
+      own_(options_.kept == nullptr ? std::optional<LoginStore>(std::in_place, entropy)
                                     : std::nullopt),
       logins_({entropy, options_.unix_time,
                [this](const std::string& grant) {
@@ -228,10 +220,6 @@ tl::expected<Visitor, Refusal> Gate::check_token(const HttpRequest& request) {
         return tl::unexpected(wrong_token(request.from));
     if (auto refusal = count_stranger(request.from, 1.0))
         return tl::unexpected(std::move(*refusal));
-    if (has_old_cookie(request))
-        return tl::unexpected(
-            Refusal{401, "this browser's login is of an older wakesurf, which kept it in a cookie",
-                    "open the link that wakesurf printed, or the one that you were given"});
     return tl::unexpected(
         Refusal{401, "a token is needed",
                 "send `Authorization: Bearer TOKEN` with the token wakesurf printed, or "
@@ -315,7 +303,7 @@ tl::expected<Gate::LoggedIn, Refusal> Gate::login(const HttpRequest& request,
     return LoggedIn{logins_.make(grant->grant), *grant};
 }
 
-std::string Gate::logout(const HttpRequest& request, KeptLogins::Done kept) {
+std::string Gate::logout(const HttpRequest& request, LoginStore::Done kept) {
     const auto secret = shown_secret(request);
     const auto login = secret ? logins_.end(*secret, kept) : std::nullopt;
     if (!login)

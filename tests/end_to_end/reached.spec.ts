@@ -115,27 +115,6 @@ describe('a server that was started again', () => {
         }
     });
 
-    it('says so to a browser that was let in by a cookie, before the server was updated, and takes its link', async () => {
-        const server = await ServerProcess.start({ store });
-        try {
-            context = await newContext(browser, { width: 780, height: 420 });
-            const url = `http://127.0.0.1:${server.port}/`;
-            const value = `${'0'.repeat(32)}.1700000000..${'0'.repeat(64)}`;
-            await context.addCookies([
-                { name: `wakesurf_session_${server.port}`, value, url, httpOnly: true, sameSite: 'Strict' },
-            ]);
-            const page = await openPage(context, url);
-            await page.getByText(/the server was updated/).waitFor();
-            await page.getByRole('textbox', { name: 'New link' }).fill(server.link);
-            await page.keyboard.press('Enter');
-            await entered(page);
-            await page.reload();
-            await entered(page);
-        } finally {
-            await server.stop();
-        }
-    });
-
     it('keeps the picture of pages that it does not let in any more, and lets both in by the link that one has pasted', async () => {
         const state = join(folder.path, 'other-state');
         let server = await ServerProcess.start({ store, state });

@@ -10,12 +10,6 @@ using core::Error;
 
 namespace {
 
-/// Rows of layout 1 have no checksum.
-std::string select_rows(int layout, const char* which = "") {
-    return std::string("SELECT session, type, id, json, ") + (layout == 1 ? "0" : "digest") +
-           " FROM records" + which;
-}
-
 std::string count_text(std::int64_t count, const char* what) {
     return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -33,12 +27,11 @@ struct Found {
     }
 };
 
-void take_row(
-    const Statement& row, int layout, std::int64_t now, StateContent& into, Found& found) {
+void take_row(const Statement& row, std::int64_t now, StateContent& into, Found& found) {
     StoredKey key{row.text(0), row.text(1), row.text(2)};
     std::string json = row.text(3);
     const std::uint64_t read = row_digest(key, json);
-    const std::uint64_t written = layout == 1 ? read : static_cast<std::uint64_t>(row.number(4));
+    const auto written = static_cast<std::uint64_t>(row.number(4));
     found.add(key.session, written, read);
     if (written == read) {
         into.sessions[key.session].push_back({key.type, key.id, std::move(json)});
@@ -142,17 +135,15 @@ core::Result<StateContent> read_content(Database& database, std::int64_t now) {
         return tl::unexpected(verdict.error());
     if (*verdict != "ok")
         out.faults.push_back("its structure is broken");
-    auto query = database.prepare(select_rows(out.layout).c_str());
+    auto query = database.prepare("SELECT session, type, id, json, digest FROM records");
     if (!query)
         return tl::unexpected(query.error());
     Found found;
     auto row = query->step();
     for (; row && *row; row = query->step())
-        take_row(*query, out.layout, now, out, found);
+        take_row(*query, now, out, found);
     if (!row)
         return tl::unexpected(row.error());
-    if (out.layout == 1)
-        return out;
     const auto sums = read_sums(database);
     if (!sums)
         return tl::unexpected(sums.error());
@@ -186,17 +177,16 @@ core::Result<StateContent> salvage_content(Database& database, std::int64_t now)
     constexpr std::int64_t most = 100'000'000;
     last = std::min(last + beyond, most);
     Found found;
-    auto query = database.prepare(select_rows(out.layout, " WHERE rowid=?1").c_str());
+    auto query =
+        database.prepare("SELECT session, type, id, json, digest FROM records WHERE rowid=?1");
     if (!query)
         return tl::unexpected(query.error());
     for (std::int64_t number = 1; number <= last; ++number) {
         query->reset();
         query->bind(1, number);
         if (const auto row = query->step(); row && *row)
-            take_row(*query, out.layout, now, out, found);
+            take_row(*query, now, out, found);
     }
-    if (out.layout == 1)
-        return out;
     if (const auto sums = read_sums(database))
         compare_sums(*sums, found, out);
     else

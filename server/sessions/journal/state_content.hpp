@@ -13,7 +13,7 @@ namespace wakesurf::server {
 
 struct StateContent {
     int layout = 0;
-    StateHead head;                                            ///< empty for layout 1
+    StateHead head;
     std::map<std::string, std::vector<JournalEntry>> sessions; ///< sound records
     std::map<StoredKey, std::uint64_t> digests;                ///< of them
     std::vector<AsideRow> damaged;                             ///< rows with wrong checksums

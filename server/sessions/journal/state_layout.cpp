@@ -13,22 +13,16 @@ namespace {
 
 constexpr std::int64_t application = 0x77616b65; // `wake`
 
-std::string begin_script(std::string_view before, std::string_view records) {
-    return std::string("BEGIN IMMEDIATE;").append(before).append(records) +
-           "CREATE TABLE aside(session TEXT NOT NULL, type TEXT NOT NULL, id TEXT NOT NULL,"
-           " json TEXT NOT NULL, why TEXT NOT NULL, since INTEGER NOT NULL);"
-           "CREATE INDEX aside_sessions ON aside(session);"
-           "CREATE TABLE sums(session TEXT NOT NULL PRIMARY KEY, records INTEGER NOT NULL,"
-           " digest INTEGER NOT NULL);"
-           "CREATE TABLE head(id INTEGER NOT NULL, commits INTEGER NOT NULL, writer TEXT NOT NULL);"
-           "INSERT INTO head VALUES(0, 0, '');"
-           "PRAGMA application_id=" +
-           std::to_string(application) + ";PRAGMA user_version=" + std::to_string(state_layout);
-}
-
-constexpr const char* records_table =
+constexpr const char* tables =
     "CREATE TABLE records(session TEXT NOT NULL, type TEXT NOT NULL, id TEXT NOT NULL,"
-    " json TEXT NOT NULL, digest INTEGER NOT NULL, PRIMARY KEY(session, type, id));";
+    " json TEXT NOT NULL, digest INTEGER NOT NULL, PRIMARY KEY(session, type, id));"
+    "CREATE TABLE aside(session TEXT NOT NULL, type TEXT NOT NULL, id TEXT NOT NULL,"
+    " json TEXT NOT NULL, why TEXT NOT NULL, since INTEGER NOT NULL);"
+    "CREATE INDEX aside_sessions ON aside(session);"
+    "CREATE TABLE sums(session TEXT NOT NULL PRIMARY KEY, records INTEGER NOT NULL,"
+    " digest INTEGER NOT NULL);"
+    "CREATE TABLE head(id INTEGER NOT NULL, commits INTEGER NOT NULL, writer TEXT NOT NULL);"
+    "INSERT INTO head VALUES(0, 0, '');";
 
 core::Result<void> once(core::Result<Statement>& statement) {
     if (!statement)
@@ -70,39 +64,20 @@ core::Result<int> layout_of(Database& database) {
         return fail(Error::Code::Unsupported,
                     "sessions.sqlite in the state folder was not made by wakesurf",
                     "give another folder with --state");
-    if (*version < 1 || *version > state_layout)
+    if (*version != state_layout)
         return fail(Error::Code::Unsupported,
                     "sessions.sqlite in the state folder has layout " + std::to_string(*version) +
-                        ", this wakesurf reads 1 to " + std::to_string(state_layout),
-                    "use the newer wakesurf that wrote it, put back an older copy with "
+                        ", this wakesurf reads " + std::to_string(state_layout),
+                    "use the wakesurf that wrote it, put back an older copy with "
                     "`wakesurf state restore`, or give another folder with --state");
     return static_cast<int>(*version);
 }
 
 core::Result<void> make_tables(Database& database, const StateHead& head) {
-    return database.run(begin_script({}, records_table).c_str())
-        .and_then([&] { return put_head(database, head); })
-        .and_then([&] { return database.run("COMMIT"); });
-}
-
-core::Result<void> migrate(Database& database,
-                           const StateHead& head,
-                           const std::map<std::string, std::vector<JournalEntry>>& rows) {
-    const std::string script = begin_script("DROP TABLE records;", records_table);
-    auto done = database.run(script.c_str());
-    RowSum all;
-    for (const auto& [session, entries] : rows) {
-        RowSum mine;
-        for (const JournalEntry& each : entries) {
-            const StoredKey key{session, each.type, each.id};
-            const std::uint64_t digest = row_digest(key, *each.record);
-            mine.add(digest);
-            all.add(digest);
-            done = done.and_then([&] { return put_row(database, key, *each.record, digest); });
-        }
-        done = done.and_then([&, &of = session] { return put_sum(database, of, mine); });
-    }
-    return done.and_then([&] { return put_sum(database, {}, all); })
+    const std::string script = std::string("BEGIN IMMEDIATE;") + tables +
+                               "PRAGMA application_id=" + std::to_string(application) +
+                               ";PRAGMA user_version=" + std::to_string(state_layout);
+    return database.run(script.c_str())
         .and_then([&] { return put_head(database, head); })
         .and_then([&] { return database.run("COMMIT"); });
 }

@@ -1,14 +1,12 @@
-// The tables of the state's file, and the migration from older versions.
+// The tables of the state's file.
 #pragma once
 
 #include "server/sessions/journal/database.hpp"
 #include "server/sessions/journal/pending_writes.hpp"
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace wakesurf::server {
 
@@ -53,17 +51,12 @@ struct AsideRow {
 /// The layout, stored in the file's user_version.
 inline constexpr int state_layout = 2;
 
-/// Returns the layout of the file; 0: it is empty. Error: as Database::run; Unsupported if it is a newer
-/// program's, or another's.
+/// Returns the layout of the file; 0: it is empty. Error: as Database::run; Unsupported if it has another
+/// layout, or is another program's.
 core::Result<int> layout_of(Database& database);
 
 /// Makes missing tables of this layout.
 core::Result<void> make_tables(Database& database, const StateHead& head);
-
-/// Migrates a file of layout 1 to this layout, as a whole or not at all. `rows`: its content.
-core::Result<void> migrate(Database& database,
-                           const StateHead& head,
-                           const std::map<std::string, std::vector<JournalEntry>>& rows);
 
 // The statements below need a transaction.
 

@@ -30,13 +30,10 @@ begin_file(Database& database, const StateOptions& options, StateContent& conten
 /// deleted.
 core::Result<void>
 keep_copy(Database& database, const StateOptions& options, const StateContent& content) {
-    const std::string from = content.layout == state_layout
-                                 ? content.head.writer
-                                 : "layout" + std::to_string(content.layout);
     const std::filesystem::path file(options.file);
-    const std::string copy =
-        (file.parent_path() / ("sessions-" + from + "-" + time_in_name(options.now()) + ".sqlite"))
-            .string();
+    const std::string copy = (file.parent_path() / ("sessions-" + content.head.writer + "-" +
+                                                    time_in_name(options.now()) + ".sqlite"))
+                                 .string();
     auto made = options.vfs == nullptr ? make_private_file(copy) : core::Result<void>();
     auto done = made.and_then([&] { return database.copy_to(copy, options.vfs); });
     if (std::error_code ignored; made && !done)
@@ -49,17 +46,12 @@ keep_copy(Database& database, const StateOptions& options, const StateContent& c
 
 core::Result<void> renew(Database& database, const StateOptions& options, StateContent& content) {
     const std::string writer = writer_of(options);
-    if (content.layout == state_layout && content.head.writer == writer)
+    if (content.head.writer == writer)
         return {};
     if (auto kept = keep_copy(database, options, content); !kept)
         return kept;
-    if (content.layout == 1)
-        content.head = {fresh_state_id(), 0, {}};
     content.head.writer = writer;
-    auto done = content.layout == 1 ? migrate(database, content.head, content.sessions)
-                                    : put_head(database, content.head);
-    content.layout = state_layout;
-    return done;
+    return put_head(database, content.head);
 }
 
 core::Result<void> keep_damaged_aside(Database& database, StateContent& content) {
@@ -143,7 +135,7 @@ core::Result<void> check_mark(const StateContent& content,
                     "sessions.sqlite in the state folder is empty or gone, although " +
                         std::to_string(marked->commits) + " changes were kept in it",
                     Database::way_out);
-    if (content.layout < state_layout || marked->id != content.head.id ||
+    if (content.layout == 0 || marked->id != content.head.id ||
         marked->commits <= content.head.commits)
         return {};
     return fail(Error::Code::Corrupt,

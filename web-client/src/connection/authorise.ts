@@ -23,7 +23,7 @@ export class EndedLogin extends HopelessError {}
 export async function authorise(baseUrl: string, shown: Credentials): Promise<KeptLogin | null> {
     const response = await request(baseUrl, shown);
     if (response.status === 401 && shown.token === null && shown.login !== null) throw new EndedLogin(endedLogin);
-    if (response.status === 401) throw new HopelessError(shown.token === null ? await missing(response) : wrongToken);
+    if (response.status === 401) throw new HopelessError(shown.token === null ? missingToken() : wrongToken);
     // The token was not even looked at: it is the address that the server does not go by.
     if (response.status === 403) throw new HopelessError(wrongAddress((await faultOf(response)).message));
     if (!response.ok) throw await faultOf(response);
@@ -42,20 +42,12 @@ function readLogin(answer: unknown): KeptLogin {
     return { login, session };
 }
 
-async function missing(response: Response): Promise<string> {
-    const { message } = await faultOf(response);
-    return message.includes('older wakesurf') ? oldLogin : missingToken();
-}
-
 const howToEnter =
     'Open the whole link that wakesurf printed when it was last started, or that you were given, including the part after token=. ' +
     'Or paste it here: whatever address is in it, its token is used at the address of this page.';
 const missingToken = (): string =>
     `This page needs the access token: this browser is not logged in at ${location.origin}. A login is for one address, port included, ` +
     `so through a tunnel with another port it is needed again. ${howToEnter}`;
-const oldLogin =
-    'This page needs the access token once more: the server was updated, and this browser’s login is of a version that kept it in a ' +
-    `cookie, which other programs of the same host can read. ${howToEnter}`;
 const endedLogin =
     'This page needs the access token again: this browser’s login has ended. The server was started with a new token, or without the ' +
     'folder that it keeps sessions in; or the login was not used for a week; or it came by a link that has expired or was revoked, or ' +

@@ -1,10 +1,9 @@
-// Files of other versions: older ones are copied, then brought up to date; newer ones are left alone.
+// Files of other versions: they are copied before they are written to; those of another layout are left alone.
 #include "server/sessions/journal/state_store.hpp"
 #include "tests/support/server/record_script.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <sqlite3.h>
 
 namespace wakesurf::tests::state_upgrade_test {
 
@@ -13,27 +12,6 @@ using server::StateOptions;
 using server::StateStore;
 
 namespace {
-
-/// As the first release made and filled it.
-constexpr const char* layout_1 = R"(
-PRAGMA journal_mode=WAL;
-BEGIN IMMEDIATE;
-CREATE TABLE records(session TEXT NOT NULL, type TEXT NOT NULL, id TEXT NOT NULL, json TEXT NOT NULL, PRIMARY KEY(session, type, id));
-PRAGMA application_id=2002873189;
-PRAGMA user_version=1;
-INSERT INTO records VALUES('main','session','','{"name":"main","seq":7,"nextRake":3,"nextSurface":1,"nextBookmark":1,"nextAnnotation":2}');
-INSERT INTO records VALUES('main','rake','r2','{"rake":"r2","rev":1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":8,"name":"r2","colour":"#102030","author":"Ada","clipped":false}');
-INSERT INTO records VALUES('session-4','annotation','a1','{"annotation":"a1","rev":2,"text":"vortex","position":[1,2,3],"author":"Bob"}');
-COMMIT;
-)";
-
-void execute(const std::string& path, const char* statements) {
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
-    EXPECT_EQ(sqlite3_exec(database, statements, nullptr, nullptr, nullptr), SQLITE_OK)
-        << sqlite3_errmsg(database);
-    sqlite3_close(database);
-}
 
 std::vector<std::string> copies_in(const TemporaryFolder& folder) {
     std::vector<std::string> names;
@@ -48,34 +26,6 @@ StateOptions options(const std::string& path, const std::string& writer) {
 }
 
 } // namespace
-
-TEST(StateUpgrade, BringsAFileOfTheFirstLayoutUpToDateAfterCopyingIt) {
-    const TemporaryFolder folder;
-    const std::string path = folder / "sessions.sqlite";
-    execute(path, layout_1);
-    RecordMap records;
-    for (int life = 0; life < 3; ++life) {
-        auto store = StateStore::open(options(path, "2.0"));
-        ASSERT_TRUE(store) << store.error().message;
-        const RecordMap found = records_of(store->take_loaded().sessions);
-        EXPECT_EQ(found.size(), 3u);
-        EXPECT_TRUE(life == 0 || found == records);
-        records = found;
-    }
-    EXPECT_EQ((records[{"session-4", "annotation", "a1"}]),
-              R"({"annotation":"a1","rev":2,"text":"vortex","position":[1,2,3],"author":"Bob"})");
-    ASSERT_EQ(copies_in(folder),
-              std::vector<std::string>{"sessions-layout1-20261122T110000Z.sqlite"});
-    const auto permissions = std::filesystem::status(folder / copies_in(folder)[0]).permissions();
-    EXPECT_EQ(permissions,
-              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
-    // The copy is what the older program can start with.
-    const TemporaryFolder other;
-    std::filesystem::copy_file(folder / copies_in(folder)[0], other / "sessions.sqlite");
-    auto from_copy = StateStore::open(options(other / "sessions.sqlite", "2.0"));
-    ASSERT_TRUE(from_copy);
-    EXPECT_EQ(records_of(from_copy->take_loaded().sessions), records);
-}
 
 TEST(StateUpgrade, CopiesTheFileOfAnotherVersionBeforeItsFirstWriteAndOnlyThen) {
     const TemporaryFolder folder;
@@ -93,6 +43,8 @@ TEST(StateUpgrade, CopiesTheFileOfAnotherVersionBeforeItsFirstWriteAndOnlyThen) 
     write("1.1", "third");
     write("1.1", "fourth");
     ASSERT_EQ(copies_in(folder), std::vector<std::string>{"sessions-1.0-20261122T110000Z.sqlite"});
+    EXPECT_EQ(std::filesystem::status(folder / copies_in(folder)[0]).permissions(),
+              std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
     auto copy = StateStore::open(options(folder / copies_in(folder)[0], "1.0"));
     ASSERT_TRUE(copy);
     EXPECT_EQ((records_of(copy->take_loaded().sessions)[{"main", "rake", "r1"}]), "second");
@@ -101,8 +53,8 @@ TEST(StateUpgrade, CopiesTheFileOfAnotherVersionBeforeItsFirstWriteAndOnlyThen) 
 TEST(StateUpgrade, DoesNotStartWhereTheCopyCannotBeMade) {
     const TemporaryFolder folder;
     const std::string path = folder / "sessions.sqlite";
-    execute(path, layout_1);
-    write_file(folder / "sessions-layout1-20261122T110000Z.sqlite", "someone's");
+    ASSERT_TRUE(StateStore::open(options(path, "1.0")));
+    write_file(folder / "sessions-1.0-20261122T110000Z.sqlite", "someone's");
     const std::string before = read_file(path);
     const auto store = StateStore::open(options(path, "2.0"));
     ASSERT_FALSE(store);
