@@ -190,13 +190,26 @@ class TheChecker(unittest.TestCase):
         self.assertGreater(sum(block.mark == "sh run" for page in pages() for block in document_blocks.blocks(page)), 30)
 
 
-class MadePages(unittest.TestCase):
+class ReferencePages(unittest.TestCase):
     maxDiff = None
 
-    def test_tell_what_the_program_says(self):
-        for path, text in outputs.from_program().items():
-            with self.subTest(path):
-                self.assertEqual(outputs.kept(path), text, "run docs/site/generate")
+    def test_get_what_the_program_says_on_the_site(self):
+        added = outputs.from_program()
+        self.assertIn("### wakesurf state aside", added["docs/reference/command-line.md"])
+        self.assertIn("| `wakesurf_build_info` | gauge | `version` |", added["docs/reference/metrics.md"])
+
+    def test_name_every_command(self):
+        page = text_of("docs/reference/command-line.md")
+        self.assertEqual(sorted(re.findall(r"(?m)^\| `wakesurf (\w+)`", page)), sorted(command_line.commands(help_of())))
+
+    def test_name_every_built_in_flow_with_its_parameters(self):
+        rows = dict(re.findall(r"(?m)^\| `flow:([\w-]+)` \|[^|]*\|([^|]*)\|", text_of("docs/reference/flows.md")))
+        done = subprocess.run([BINARY, "info", "flow:there-is-none"], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual(sorted(rows), sorted(re.findall(r"choose one of ([^)]*)\)", done.stdout + done.stderr)[0].split(", ")))
+        for name, parameters in rows.items():
+            with self.subTest(name):
+                given = ",".join(re.findall(r"\w+ = -?[\d.]+", parameters)).replace(" ", "")
+                subprocess.run([BINARY, "info", f"flow:{name}?{given}" if given else f"flow:{name}"], capture_output=True, timeout=60, check=True)
 
     def test_name_every_format_that_is_written(self):
         offered = re.search(r"File to write: (.*)", help_of("surface")).group(1)

@@ -6,7 +6,6 @@ import sys
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
 sys.path.insert(0, os.path.join(ROOT, "protocol", "api"))
-UP = "../../"  # from docs/reference to the root, for links
 MADE = "<!-- Made by docs/site/generate from {source}: do not edit. -->\n"
 
 

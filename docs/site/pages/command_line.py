@@ -1,14 +1,7 @@
-"""docs/reference/command-line.md: what every command says with --help."""
+"""What every command says with --help."""
 import re
 
-from .base import MADE, said
-
-INTRO = """# Command line
-
-What each command prints with `--help`. A line of output is about one thing and goes to standard output; progress and errors go to standard error.
-The exit status is 0, 1 where the work could not be done, or 2 where the command was misused.
-
-"""
+from .base import said
 
 
 def commands(help_text):
@@ -17,16 +10,16 @@ def commands(help_text):
     return re.findall(r"^  (\w[\w-]*) ", section.group(1), re.M) if section else []
 
 
-def told(*command):
+def help_sections(*command):
     shown = said(*command, "--help").strip("\n")
     parts = [f"{'#' * (2 + max(0, len(command) - 1))} {' '.join(('wakesurf', *command))}\n\n```text\n{shown}\n```\n"]
     for each in commands(shown):
-        parts += told(*command, each)
+        parts += help_sections(*command, each)
     return parts
 
 
 def text():
-    return MADE.format(source="wakesurf --help") + INTRO + "\n".join(told())
+    return "\n".join(help_sections())
 
 
 def options(help_text):

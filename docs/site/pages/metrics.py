@@ -1,31 +1,11 @@
-"""docs/reference/metrics.md: what /metrics of a running server says of itself."""
+"""A table of the metrics that a running server describes."""
 import re
 import subprocess
 import tempfile
 import time
 import urllib.request
 
-from .base import MADE, binary, said, table
-
-INTRO = """# Metrics
-
-`GET /metrics` answers in the text format of Prometheus. It needs the server's token:
-
-```sh run serve
-wakesurf serve flow:tornado --token-file token
-```
-
-```sh run
-curl -sS -H "Authorization: Bearer $(cat token)" http://127.0.0.1:8080/metrics -o metrics.txt
-grep wakesurf_build_info metrics.txt
-```
-
-For monitors that only ask whether the server is well, `GET /healthz` answers 200 without a token, and `ok`. Where datasets could not be opened or
-imported it is 200 still, since the others can be used, and says how many: `ok, but of 3 datasets 1 has failed`. Which, and why, the log says
-(`event=dataset_failed`), and `dataset.list`. For an alarm: `wakesurf_datasets{state="failed"} > 0`.
-
-"""
-
+from .base import binary, said, table
 
 MOST_SCRAPES = 300
 
@@ -45,25 +25,22 @@ def scraped():
                 scrape = urllib.request.Request(address + "/metrics", headers=headers)
                 for _ in range(MOST_SCRAPES):
                     with urllib.request.urlopen(scrape, timeout=20) as answer:
-                        told = answer.read().decode()
-                    if "wakesurf_cache_bytes" in told:
-                        return told
+                        answered = answer.read().decode()
+                    if "wakesurf_cache_bytes" in answered:
+                        return answered
                     time.sleep(0.1)  # the store is still being imported
-                raise RuntimeError("the server tells of no cache: has the import failed?")
+                raise RuntimeError("the server has no metrics of a cache: has the import failed?")
             finally:
                 server.terminate()
                 server.wait(timeout=20)
 
 
 def text():
-    told = scraped()
-    kinds = dict(re.findall(r"^# TYPE (\S+) (\S+)$", told, re.M))
+    exposition = scraped()
+    kinds = dict(re.findall(r"^# TYPE (\S+) (\S+)$", exposition, re.M))
     rows = []
-    for name, words in sorted(re.findall(r"^# HELP (\S+) (.*)$", told, re.M)):
-        labels = sorted({label for line in re.findall(rf"^{name}(?:_bucket|_count|_sum)?\{{(.*?)\}}", told, re.M)
+    for name, words in sorted(re.findall(r"^# HELP (\S+) (.*)$", exposition, re.M)):
+        labels = sorted({label for line in re.findall(rf"^{name}(?:_bucket|_count|_sum)?\{{(.*?)\}}", exposition, re.M)
                          for label in re.findall(r'(\w+)="', line)} - {"le"})
         rows.append([f"`{name}`", kinds[name], ", ".join(f"`{each}`" for each in labels), words])
-    return (MADE.format(source="/metrics of a running server") + INTRO + table(["name", "type", "labels", "what"], rows)
-            + "\nA family is there from its first value on: `wakesurf_cache_*` with the first dataset whose time-steps are stored,\n"
-              "`wakesurf_brick*` with the first that an MPI job is to hold (`serve --bricks`).\n"
-              "`wakesurf_brick_ranks == 0` for minutes says that there is no job: the log says why (`event=bricks_job_ended`).\n")
+    return table(["name", "type", "labels", "what"], rows)

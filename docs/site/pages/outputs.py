@@ -1,25 +1,22 @@
 """All pages that are made, by path from the root of the repository."""
 import os
 
-from . import command_line, errors, flows, formats, gallery, limits, metrics
+from . import command_line, errors, gallery, metrics
 from .base import ROOT
 
 
 def from_files():
-    """path -> text, of pages that need no program."""
+    """path -> text, of pages that are checked in."""
     return {
         "docs/troubleshooting.md": errors.text(),
         "docs/gallery.md": gallery.text(),
-        "docs/reference/formats.md": formats.text(),
-        "docs/reference/limits.md": limits.text(),
     }
 
 
 def from_program():
-    """path -> text, of pages that tell what the built program says."""
+    """path -> text, of what the program says, which the site has at the end of a page."""
     return {
         "docs/reference/command-line.md": command_line.text(),
-        "docs/reference/flows.md": flows.text(),
         "docs/reference/metrics.md": metrics.text(),
     }
 

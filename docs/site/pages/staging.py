@@ -6,6 +6,7 @@ import os
 import re
 import shutil
 
+from . import outputs
 from .base import ROOT, read
 
 SETTINGS = "docs/site/mkdocs.yml"
@@ -61,15 +62,15 @@ def rewritten(text):
 
 
 def stage(folder):
-    """Copies all documents into the folder; the paths of those that are pages."""
-    pages = []
+    """Copies all documents into the folder, with what the program adds to them; the paths of those that are pages."""
+    pages, additions = [], outputs.from_program()
     for path in documents():
         full = os.path.join(folder, path)
         os.makedirs(os.path.dirname(full), exist_ok=True)
         if path.endswith(".md"):
             pages.append(path)
             with open(full, "w", encoding="utf-8") as file:
-                file.write(rewritten(read(path)))
+                file.write(rewritten("\n".join([read(path), *filter(None, [additions.get(path)])])))
         else:
             shutil.copyfile(os.path.join(ROOT, path), full)
     return pages
