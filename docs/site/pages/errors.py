@@ -10,8 +10,8 @@ from .base import MADE, ROOT, api, read, read_json
 
 INTRO = """# Troubleshooting
 
-Find the word that you were given. Every error has a `kind`, a message that says what is wrong, and a hint that says what to do; the page shows
-message and hint, scripts and curl also the kind.
+Every error has a `kind`, a message that says what is wrong, and a hint that says what to do. The page shows message and hint, scripts and curl also
+the kind. This page is in the order of kinds.
 
 - [Nothing starts](#nothing-starts)
 - [Errors](#errors), by kind
@@ -48,10 +48,10 @@ def kinds_in_code():
 
 
 def error_kinds(description):
-    """kind -> (code, when), of all there are."""
-    out = {kind: (data["code"], data["description"]) for kind, data in description.errors.items()}
+    """kind -> code, of all there are."""
+    out = {kind: data["code"] for kind, data in description.errors.items()}
     for kind in sorted(kinds_in_code() - out.keys()):
-        out[kind] = (out["invalidParameters"][0], "a request that was understood, but that this server cannot do")
+        out[kind] = out["invalidParameters"]
     return out
 
 
@@ -83,13 +83,9 @@ def differences(there, words, what):
         raise ValueError(f"docs/site/cures.json, {what}: no words for {sorted(missing)}; no such kind {sorted(left)}")
 
 
-def entry(title, when, words):
+def entry(title, words):
     cause, cure = words
-    return f"### {title}\n\n" + (f"{when}\n\n" if when else "") + f"**Why.** {cause}\n\n**What to do.** {cure}\n\n"
-
-
-def sentence(text):
-    return text[0].upper() + text[1:].rstrip(".") + "."
+    return f"### {title}\n\n{cause}\n\n**What to do.** {cure}\n\n"
 
 
 def text():
@@ -100,20 +96,20 @@ def text():
     differences(empty_kinds(), words["empty"], "empty")
     differences(client_kinds(kinds), words["client"], "client")
     differences(closing_codes(), [each for each in words["closings"] if each > "4000"], "closings")
-    out = MADE.format(source="protocol/api/*.schema.json and docs/site/cures.json") + INTRO + "## Errors\n\n"
-    for kind, (code, when) in kinds.items():
-        out += entry(kind, f"Code {code}. {sentence(when)}", words["errors"][kind])
+    out = MADE.format(source="protocol/api/*.schema.json and docs/site/cures.json") + INTRO + "## Errors\n\nThe [API](api.md#errors) has the code of each.\n\n"
+    for kind in kinds:
+        out += entry(kind, words["errors"][kind])
     out += "## The surface is empty\n\n`surface.stats` and `--stats` have the reason under `empty`; the page shows it beside the rake.\n\n"
     for kind in empty_kinds():
-        out += entry(kind, "", words["empty"][kind])
-    out += "## Notices\n\n`server.notice` tells what happened to a connection, its session or the server. The page shows its text.\n\n"
+        out += entry(kind, words["empty"][kind])
+    out += "## Notices\n\n`server.notice` reports what happened to a connection, its session or the server. The page shows its text.\n\n"
     for kind in notices:
-        out += entry(kind, "", words["notices"][kind])
-    out += "## The connection was closed\n\nThe code of the WebSocket says why. The page says it in words.\n\n"
+        out += entry(kind, words["notices"][kind])
+    out += "## The connection was closed\n\nThe code of the WebSocket says why; the page shows it in words.\n\n"
     out += "| code | why | what to do |\n|---|---|---|\n"
     for code, (cause, cure) in words["closings"].items():
         out += f"| {code} | {cause} | {cure} |\n"
-    out += "\n## Errors of the Python client\n\nBeside a class for each kind above, the client has some of its own.\n\n"
+    out += "\n## Errors of the Python client\n\nThe client has a class for each kind above, and these.\n\n"
     for kind in client_kinds(kinds):
-        out += entry(kind, "", words["client"][kind])
+        out += entry(kind, words["client"][kind])
     return out.rstrip() + "\n"
