@@ -32,6 +32,7 @@ the kind. This page is in the order of kinds.
 | turning the view is slow | the browser draws without the graphics card | switch hardware acceleration on, or make the window smaller |
 
 """
+API = "docs/api.md"
 CODE = ("importer", "protocol", "server")
 
 
@@ -96,7 +97,7 @@ def text():
     differences(empty_kinds(), words["empty"], "empty")
     differences(client_kinds(kinds), words["client"], "client")
     differences(closing_codes(), [each for each in words["closings"] if each > "4000"], "closings")
-    out = MADE.format(source="protocol/api/*.schema.json and docs/site/cures.json") + INTRO + "## Errors\n\nThe [API](api.md#errors) has the code of each.\n\n"
+    out = MADE.format(source="protocol/api/*.schema.json and docs/site/cures.json") + INTRO + f"## Errors\n\nThe [API]({os.path.basename(API)}#errors) has the code of each.\n\n"
     for kind in kinds:
         out += entry(kind, words["errors"][kind])
     out += "## The surface is empty\n\n`surface.stats` and `--stats` have the reason under `empty`; the page shows it beside the rake.\n\n"
