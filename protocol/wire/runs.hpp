@@ -1,5 +1,5 @@
 // A selection of a list's elements, as runs of consecutive ones; and the list after some are removed.
-// protocol/wire/FORMAT.md, Topology. Twin: web-client/src/protocol/runs.ts.
+// protocol/wire/FORMAT.md, Topology. Twin: web-client/src/protocol/bytes.ts.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"

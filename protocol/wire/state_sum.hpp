@@ -1,5 +1,5 @@
 // A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four
-// lanes. protocol/wire/FORMAT.md, State sum. Twin: web-client/src/protocol/stateSum.ts.
+// lanes. protocol/wire/FORMAT.md, State sum. Twin: web-client/src/protocol/wireMesh.ts.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The predictors, in integers, the same for encoders and decoders. protocol/wire/FORMAT.md, Points. Twin:
-// web-client/src/protocol/wirePredict.ts.
+// web-client/src/protocol/wirePoints.ts.
 #pragma once
 
 #include "protocol/wire/wire_draft.hpp"

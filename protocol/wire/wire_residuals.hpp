@@ -1,6 +1,6 @@
 // From the true values of vertices to residuals and back: predict, take the difference in steps of the
 // tolerance, continue from the decoder's value. The sender chooses the predictors. protocol/wire/FORMAT.md,
-// Points. Twin of the way back: web-client/src/protocol/wirePredict.ts.
+// Points. Twin of the way back: web-client/src/protocol/wirePoints.ts.
 #pragma once
 
 #include "protocol/wire/mesh_frame.hpp"

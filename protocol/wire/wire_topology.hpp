@@ -1,5 +1,5 @@
 // The cells of a state, and for each vertex the neighbours of lower index, which predictions need.
-// protocol/wire/FORMAT.md, Neighbours. Twin: web-client/src/protocol/neighbours.ts.
+// protocol/wire/FORMAT.md, Neighbours. Twin: web-client/src/protocol/wireMesh.ts.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"

@@ -4,7 +4,7 @@ import type { AddressInfo } from 'node:net';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import WebSocket from 'ws';
-import { subprotocol } from '../../web-client/src/protocol/version.ts';
+import { subprotocol } from '../../web-client/src/protocol/messages.ts';
 import { entered, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { expectComplaint } from './support/complaints.ts';
 import { useStand } from './support/stand.ts';

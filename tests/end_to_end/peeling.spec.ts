@@ -9,7 +9,7 @@ import { ask, newContext, openPage } from './support/browser_page.ts';
 import { savedFigure } from './support/figure_download.ts';
 import { acrossAt, finalSheets, FlatSheets, ground, lookFrom, middle, type Side, spread } from './support/flat_sheets.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
-import { layered, type Layer, litColour } from './support/shading_formula.ts';
+import { type Layer, layered, litColour } from './support/shading_formula.ts';
 import { closePages, testBrowser } from './support/test_browser.ts';
 
 /** From y = 1 on, one behind the other, so that one to six of them are over one another. */

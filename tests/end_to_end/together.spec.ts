@@ -3,8 +3,7 @@
 import type { BrowserContext, Page } from 'playwright-core';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import WebSocket from 'ws';
-import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
-import { subprotocol } from '../../web-client/src/protocol/version.ts';
+import { subprotocol, type Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectSamePoints } from './support/same_points.ts';

@@ -1,14 +1,12 @@
 // The page's mesh decoder under mutations of the golden sequences and of random ones, their checksums made right again: what it cannot decode it
 // refuses with a FrameError, keeps nothing of it, and takes little memory and time. Runs for --seconds S or --runs N (frames folded) and prints
 // one line, and one every million runs.
-import { FrameError } from '../../web-client/src/protocol/frameError.ts';
+import { FrameError } from '../../web-client/src/protocol/bytes.ts';
 import type { Lattice } from '../../web-client/src/protocol/lattice.ts';
 import { MeshDecoder } from '../../web-client/src/protocol/meshDecoder.ts';
 import { frameHeaderBytes } from '../../web-client/src/protocol/meshFrame.ts';
 import { dracoPoints, golden, goldenFrames } from '../../web-client/src/protocol/testing/golden.ts';
-import { seededRandom } from '../../web-client/src/protocol/testing/random.ts';
-import { ranges } from '../../web-client/src/protocol/testing/randomSurface.ts';
-import { lattice, randomUpdates } from '../../web-client/src/protocol/testing/randomUpdates.ts';
+import { lattice, randomUpdates, ranges, seededRandom } from '../../web-client/src/protocol/testing/randomSurface.ts';
 import { sealed } from '../../web-client/src/protocol/testing/wireWriter.ts';
 
 const names = ['sheet', 'hanging', 'refined', 'chaos', 'empty', 'growing'];

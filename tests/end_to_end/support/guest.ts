@@ -1,8 +1,7 @@
 // Someone else in a session, over a WebSocket of its own: a test in the place of a page.
 import { expect } from 'vitest';
 import WebSocket from 'ws';
-import type { Participant, Vec3 } from '../../../web-client/src/protocol/messages.ts';
-import { subprotocol } from '../../../web-client/src/protocol/version.ts';
+import { type Participant, subprotocol, type Vec3 } from '../../../web-client/src/protocol/messages.ts';
 import type { ServerProcess } from './server_process.ts';
 
 interface Message {

@@ -1,8 +1,7 @@
 // Runs in a page: draws sheets of known shape and velocity with the scene's surfaces, to measure what looks cost and to look at
 // their pixels. The GPU finishes each picture before it is measured.
 import { Color, OrthographicCamera, Scene, WebGLRenderer } from 'three';
-import type { BodyMesh } from '../../../web-client/src/mesh/bodyMesh.ts';
-import { cutLevel, type TimedMeshChange } from '../../../web-client/src/mesh/meshChange.ts';
+import { type BodyMesh, cutLevel, type TimedMeshChange } from '../../../web-client/src/mesh/meshChange.ts';
 import { View } from '../../../web-client/src/scene/base/view.ts';
 import { Lights } from '../../../web-client/src/scene/lights.ts';
 import { DrawnBody } from '../../../web-client/src/scene/surface/drawnBody.ts';
@@ -21,7 +20,7 @@ export interface FlatFlow {
     angle: readonly [number, number];
     /** Of the camera, onto the middle of the sheet. */
     zoom?: number;
-    /** Of all vertices, see worker/unresolved.ts. */
+    /** Of all vertices, see worker/vertexQuantities.ts. */
     unresolved?: readonly [number, number];
     /** Vertices each way, instead of as many as nobody sees. */
     grid?: readonly [number, number];

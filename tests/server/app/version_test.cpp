@@ -78,7 +78,7 @@ TEST(Version, IsTheSameInTheBuildTheChangeLogAndTheCitation) {
 }
 
 TEST(Version, OfTheApiIsTheOneThePageExpects) {
-    EXPECT_EQ(first_match(text_of("web-client/src/protocol/version.ts"), R"(apiLevel = (\d+))"),
+    EXPECT_EQ(first_match(text_of("web-client/src/protocol/messages.ts"), R"(apiLevel = (\d+))"),
               std::to_string(protocol::api_level));
 }
 

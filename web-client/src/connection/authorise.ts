@@ -1,9 +1,8 @@
 // Exchanges the token for a login, and opens the WebSocket with it. A browser hides why a WebSocket
 // failed, so an ordinary request first finds out whether the server is there and lets us in.
 import { isObject } from '../protocol/jsonRpc.ts';
-import { subprotocol } from '../protocol/version.ts';
-import { faultOf } from './httpFault.ts';
-import type { KeptLogin } from './keptLogins.ts';
+import { subprotocol } from '../protocol/messages.ts';
+import { faultOf, type KeptLogin } from './ownServer.ts';
 import { HopelessError, type OpenSocket } from './liveSocket.ts';
 
 const requestTimeoutMs = 8000;

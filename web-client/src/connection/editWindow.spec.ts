@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { EditWindow } from './editWindow.ts';
-import { settled } from '../testing/fakeClock.ts';
+import { settled } from '../testing/fakes.ts';
 
 class Bench {
     sent: number[] = [];

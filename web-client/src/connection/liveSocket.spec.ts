@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { FakeClock, settled } from '../testing/fakeClock.ts';
-import { type ConnectionState, HopelessError, LiveSocket, type OpenSocket } from './liveSocket.ts';
+import { FakeClock, settled } from '../testing/fakes.ts';
+import { BackOff, type ConnectionState, HopelessError, LiveSocket, type OpenSocket } from './liveSocket.ts';
 
 class FakeSocket implements OpenSocket {
     sent: string[] = [];
@@ -166,5 +166,26 @@ describe('LiveSocket', () => {
         await bench.start();
         bench.newest.onclose?.({ code: 4003, reason: 'the session was deleted' });
         expect(bench.states.at(-1)).toEqual({ state: 'ended', reason: 'The session was deleted.' });
+    });
+});
+
+describe('BackOff', () => {
+    it('doubles from 250 ms up to 5 s', () => {
+        const backOff = new BackOff(() => 1);
+        const waits = Array.from({ length: 7 }, () => backOff.nextWaitMs());
+        expect(waits).toEqual([250, 500, 1000, 2000, 4000, 5000, 5000]);
+    });
+
+    it('never waits less than half of that', () => {
+        const backOff = new BackOff(() => 0);
+        expect([backOff.nextWaitMs(), backOff.nextWaitMs()]).toEqual([125, 250]);
+    });
+
+    it('starts again after a success', () => {
+        const backOff = new BackOff(() => 1);
+        backOff.nextWaitMs();
+        backOff.nextWaitMs();
+        backOff.reset();
+        expect(backOff.nextWaitMs()).toBe(250);
     });
 });

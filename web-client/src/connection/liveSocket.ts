@@ -1,7 +1,6 @@
 // A socket that stays: it connects, notices silence, and connects again by itself until stopped.
 // A network that drops packets closes nothing (docs/measurements.md, Broken networks), so only a heartbeat
 // can tell: a ping every 4 s must keep messages coming, and 10 s without any message count as down.
-import { BackOff } from './backOff.ts';
 import type { Clock, Timer } from './clock.ts';
 
 export const pingEveryMs = 4000;
@@ -173,5 +172,27 @@ export class LiveSocket {
     private clearTimer(): void {
         if (this.timer !== null) this.options.clock.cancel(this.timer);
         this.timer = null;
+    }
+}
+
+export const firstWaitMs = 250;
+export const longestWaitMs = 5000;
+
+export class BackOff {
+    private failures = 0;
+    private readonly random: () => number;
+
+    constructor(random: () => number) {
+        this.random = random;
+    }
+
+    nextWaitMs(): number {
+        const ceiling = Math.min(longestWaitMs, firstWaitMs * 2 ** this.failures);
+        ++this.failures;
+        return ceiling * (0.5 + 0.5 * this.random());
+    }
+
+    reset(): void {
+        this.failures = 0;
     }
 }

@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { parseIncoming, RpcError } from '../protocol/jsonRpc.ts';
-import type { MethodName } from '../protocol/messages.ts';
-import { emptySnapshot, sampleRake, sampleStatistics } from '../protocol/testing/sampleRecords.ts';
-import { UnreadableAnswer } from '../protocol/unreadable.ts';
+import { type MethodName, UnreadableAnswer } from '../protocol/messages.ts';
+import { emptySnapshot, sampleRake, sampleStatistics } from '../testing/records.ts';
 import { DisconnectedError, RpcClient } from './rpcClient.ts';
 
 function answer(client: RpcClient, text: string): void {

@@ -1,9 +1,7 @@
 // Calls over one socket: numbers requests, matches replies, and takes no answer that is not what its method
 // answers. Knows the envelope, not the socket.
 import { encodeNotification, encodeRequest, type Incoming, RpcError } from '../protocol/jsonRpc.ts';
-import type { MethodName, ParamsOf, ResultOf } from '../protocol/messages.ts';
-import { resultChecks } from '../protocol/results.ts';
-import { UnreadableAnswer } from '../protocol/unreadable.ts';
+import { type MethodName, type ParamsOf, resultCheck, type ResultOf, UnreadableAnswer } from '../protocol/messages.ts';
 
 /** The call went unanswered because the connection is down; it may or may not have been carried out. */
 export class DisconnectedError extends Error {
@@ -37,7 +35,7 @@ export class RpcClient {
                 return;
             }
             const answered = (result: unknown): void => {
-                const fault = resultChecks[method](result);
+                const fault = resultCheck(method)(result);
                 if (fault === null) resolve(result as ResultOf<M>);
                 else reject(new UnreadableAnswer(method, fault));
             };

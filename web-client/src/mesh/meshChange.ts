@@ -1,5 +1,5 @@
-// Declares what the worker hands to the scene of a surface: arrays for the GPU, only what is new in them.
-// Declared here because neither of the two knows the other; session/ carries it from the one to the other.
+// What the worker hands to the scene of a surface and of a body: arrays for the GPU, of a surface only what is new in them. Declared here
+// because neither of the two knows the other; session/ carries it from the one to the other.
 
 /** Describes what is new since the change before: each array from some vertex, or some index, to the last;
  *  what is before is as it was. */
@@ -29,7 +29,7 @@ export interface MeshChange {
     /** Says how long units of s and of t are on the surface, of every vertex. Null: as before, or not asked
      *  for. */
     units: Float32Array | null;
-    /** Holds what a fixed grid cannot resolve, of every vertex (worker/unresolved.ts). Null: as before, or
+    /** Holds what a fixed grid cannot resolve, of every vertex (worker/vertexQuantities.ts). Null: as before, or
      *  not asked for. */
     unresolved: Float32Array | null;
 }
@@ -67,4 +67,37 @@ export interface SurfacePart {
     /** s and t of its first vertex, which names the part. */
     seed: readonly [number, number];
     hidden: boolean;
+}
+
+export interface BodyMesh {
+    /** xyz of vertices. */
+    positions: Float32Array;
+    /** xyz, of length 1; 0 where a vertex has no area round it. */
+    normals: Float32Array;
+    /** Three a triangle. */
+    indices: Uint32Array;
+}
+
+/** Calls `use` with both ends of each side of each cell, so twice for those between two. */
+export type Sides = (use: (from: number, to: number) => void) => void;
+
+/**
+ * 1 for each vertex on a border. Inside, each neighbour is met by two cells, and what is written of it twice
+ * is gone again; of a vertex on the border two neighbours are met once.
+ */
+export function borderOf(sides: Sides, vertices: number): Uint8Array {
+    const met = new Int32Array(vertices);
+    sides((from, to) => {
+        met[from]! ^= mixed(to);
+        met[to]! ^= mixed(from);
+    });
+    const border = new Uint8Array(vertices);
+    for (let v = 0; v < vertices; ++v) if (met[v] !== 0) border[v] = 1;
+    return border;
+}
+
+/** So that no sums of a few numbers are the same by chance. */
+function mixed(vertex: number): number {
+    const spread = Math.imul(vertex + 1, 0x9e3779b1);
+    return Math.imul(spread ^ (spread >>> 15), 0x85ebca6b);
 }

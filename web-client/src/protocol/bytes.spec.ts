@@ -1,8 +1,7 @@
 import { deflateRawSync } from 'node:zlib';
 import { expect, test } from 'vitest';
-import { Numbers } from './bytes.ts';
-import { FrameError } from './frameError.ts';
-import { seededRandom } from './testing/random.ts';
+import { FrameError, Numbers } from './bytes.ts';
+import { seededRandom } from './testing/randomSurface.ts';
 
 function varint(value: number): number[] {
     return value < 0x80 ? [value] : [(value & 0x7f) | 0x80, ...varint(value >>> 7)];

@@ -1,7 +1,7 @@
 // The residuals of a point block, a Draco sequential point cloud. The only file that knows Draco.
 // protocol/wire/FORMAT.md, Draco block. Twin: protocol/wire/draco_points.hpp.
 import type { DecoderModule } from 'draco3d';
-import { FrameError } from './frameError.ts';
+import { FrameError } from './bytes.ts';
 
 const draco = { genericAttribute: 4, int32: 5, integerCoding: 1 } as const;
 const bytesOfInt32 = 4;

@@ -1,15 +1,14 @@
 // The frames that the C++ side wrote, against what its decoder made of them.
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { DracoPoints } from './dracoPoints.ts';
-import { FrameError } from './frameError.ts';
+import { FrameError } from './bytes.ts';
 import { dequantise } from './lattice.ts';
 import { type AppliedUpdate, MeshDecoder } from './meshDecoder.ts';
 import { frameHeaderBytes, phases } from './meshFrame.ts';
-import { wordSum } from './stateSum.ts';
+import { lastCode, wordSum } from './wireMesh.ts';
 import { dracoPoints, golden, goldenFrames, type GoldenVertex } from './testing/golden.ts';
-import { seededRandom } from './testing/random.ts';
+import { seededRandom } from './testing/randomSurface.ts';
 import { sealed } from './testing/wireWriter.ts';
-import { lastCode } from './wireMesh.ts';
 
 let points: DracoPoints;
 beforeAll(async () => {

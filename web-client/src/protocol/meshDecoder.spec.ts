@@ -1,12 +1,10 @@
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { DracoPoints } from './dracoPoints.ts';
-import { FrameError } from './frameError.ts';
+import { FrameError } from './bytes.ts';
 import { MeshDecoder } from './meshDecoder.ts';
 import { frameHeaderBytes, readFrame } from './meshFrame.ts';
 import { dracoPoints } from './testing/golden.ts';
-import { seededRandom } from './testing/random.ts';
-import { Dice, ranges } from './testing/randomSurface.ts';
-import { lattice, randomUpdates, type Update } from './testing/randomUpdates.ts';
+import { Dice, lattice, randomUpdates, ranges, seededRandom, type Update } from './testing/randomSurface.ts';
 import { type PlainState, sealed } from './testing/wireWriter.ts';
 import { valueOf, type WireMesh } from './wireMesh.ts';
 

@@ -1,9 +1,8 @@
 // From frames back to states. Twin: protocol/wire/mesh_decoder.hpp; unlike there, an update is kept as bytes
 // until all its frames are in, and then changes the one state in place: what is shown has been copied out of
 // it.
-import { Numbers } from './bytes.ts';
+import { FrameError, Numbers } from './bytes.ts';
 import type { DracoPoints } from './dracoPoints.ts';
-import { FrameError } from './frameError.ts';
 import type { Lattice } from './lattice.ts';
 import { type FrameHeader, readFrame, sameUpdate } from './meshFrame.ts';
 import { applyEdit, type TopologyEdit } from './wireEdit.ts';

@@ -1,7 +1,6 @@
 // The envelope of one binary message: a header, and a piece of an update. protocol/wire/FORMAT.md has the
 // byte map. Twin: protocol/wire/mesh_frame.hpp.
-import { crc32 } from './crc32.ts';
-import { FrameError } from './frameError.ts';
+import { FrameError } from './bytes.ts';
 import { maxLatticeBits } from './lattice.ts';
 
 export const frameMagic = 0x5357;
@@ -117,4 +116,18 @@ export function readFrame(bytes: Uint8Array): MeshFrame {
     const header = parse(view);
     check(header);
     return { header, body };
+}
+
+const table = Int32Array.from({ length: 256 }, (_, byte) => {
+    let remainder = byte;
+    for (let bit = 0; bit < 8; ++bit) remainder = (remainder >>> 1) ^ (remainder & 1 ? 0xedb88320 : 0);
+    return remainder;
+});
+
+/** Returns the checksum of `bytes`, or of what `before` is the checksum of and `bytes` behind it;
+ *  unsigned. */
+export function crc32(bytes: Uint8Array, before = 0): number {
+    let crc = ~before;
+    for (let i = 0; i < bytes.length; ++i) crc = (crc >>> 8) ^ table[(crc ^ bytes[i]!) & 0xff]!;
+    return ~crc >>> 0;
 }

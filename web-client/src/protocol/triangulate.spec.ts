@@ -1,5 +1,5 @@
 import { describe, expect, test } from 'vitest';
-import { noVertex } from './cell.ts';
+import { noVertex } from './wireMesh.ts';
 import { triangleCount, triangulate } from './triangulate.ts';
 
 // A unit square with its mids on the middle of straight sides, then bent out of the plane.

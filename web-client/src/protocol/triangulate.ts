@@ -1,7 +1,7 @@
 // Triangles of cells with 0 to 4 hanging nodes, by template. Watertight: the triangles of a cell use each
 // sub-edge of its outline exactly once, and none spans a side past its mid node, so none has zero area
 // where a mid lies on a straight side.
-import { cellStride, noVertex } from './cell.ts';
+import { cellStride, noVertex } from './wireMesh.ts';
 
 /** Writes triangles, turning the way the cells' outlines turn. */
 class TriangleWriter {

@@ -1,11 +1,8 @@
 // The topology of an update: which vertices and cells go, come and change. protocol/wire/FORMAT.md, Topology.
 // Twin: protocol/wire/wire_edit.hpp.
-import { type Numbers, unzigzag } from './bytes.ts';
-import { cellStride, noVertex } from './cell.ts';
-import { FrameError } from './frameError.ts';
+import { FrameError, type Numbers, numbersAfter, readRuns, type Runs, unzigzag } from './bytes.ts';
+import { cellStride, noVertex, type WireMesh } from './wireMesh.ts';
 import { type FrameHeader, maxBlockVertices } from './meshFrame.ts';
-import { numbersAfter, readRuns, type Runs } from './runs.ts';
-import type { WireMesh } from './wireMesh.ts';
 
 export interface TopologyEdit {
     removedVertices: Runs; // of the old ones

@@ -1,11 +1,7 @@
-// The state of a surface on the wire: integers that the server and all its clients hold alike.
-// protocol/wire/FORMAT.md, State. Twin: protocol/wire/wire_mesh.hpp; unlike there, updates change it in
-// place.
-import { cellStride } from './cell.ts';
-import { Neighbours } from './neighbours.ts';
-import { roomFor } from './room.ts';
-import { removeRuns, type Runs } from './runs.ts';
-import { WordSum, wordSum } from './stateSum.ts';
+// The state of a surface on the wire: integers that the server and all its clients hold alike, with the neighbours that predictions need
+// and the checksum over all of it. protocol/wire/FORMAT.md, State, Neighbours, State sum. Twins: protocol/wire/wire_mesh.hpp,
+// wire_topology.hpp, state_sum.hpp; unlike there, updates change the state in place.
+import { removeRuns, type Runs } from './bytes.ts';
 
 /** Describes what the codes 0 and the last one of an attribute stand for, until the next KEY. */
 export interface AttributeRange {
@@ -115,4 +111,168 @@ export class WireMesh {
         for (const { values } of this.codes) parts.push(wordSum(values.subarray(0, this.vertices)));
         return wordSum(Int32Array.from(parts));
     }
+}
+
+export const cellStride = 8;
+export const noVertex = -1;
+
+/** Stands where there is no such neighbour. */
+export const none = -1;
+
+/** Neighbours of each vertex v, all below v. Arrays may be longer than there are vertices. */
+export class Neighbours {
+    highest = new Int32Array(0); // a(v)
+    lowest = new Int32Array(0); // b(v)
+    beside = new Int32Array(0); // p(v), of the first cell whose other corners are all lower
+    beside2 = new Int32Array(0); // n(v)
+    opposite = new Int32Array(0); // o(v); none where p and n are the ends of the side the vertex hangs on
+    private known = 0; // vertices
+
+    /** Finds the neighbours of all vertices; what cells below `from` say is known already, unless `from` is
+     *  0. Cost: O(vertices + cells from there). */
+    find(cells: Int32Array, from: number, vertices: number): void {
+        const known = from === 0 ? 0 : this.known;
+        for (const name of ['highest', 'lowest', 'beside', 'beside2', 'opposite'] as const) {
+            this[name] = roomFor(this[name], vertices).fill(none, known, vertices);
+        }
+        this.known = vertices;
+        this.add(cells, from);
+    }
+
+    /** Without function calls for a cell without mids: this is done for every cell of a surface that
+     *  changes. */
+    private add(cells: Int32Array, from: number): void {
+        const { highest, lowest, beside, beside2, opposite } = this;
+        for (let at = from * cellStride; at < cells.length; at += cellStride) {
+            const c0 = cells[at]!;
+            const c1 = cells[at + 1]!;
+            const c2 = cells[at + 2]!;
+            const c3 = cells[at + 3]!;
+            side(highest, lowest, c0, cells[at + 4]!, c1);
+            side(highest, lowest, c1, cells[at + 5]!, c2);
+            side(highest, lowest, c2, cells[at + 6]!, c3);
+            side(highest, lowest, c3, cells[at + 7]!, c0);
+            // Only a cell's highest corner can have the other three below it.
+            const v = Math.max(c0, c1, c2, c3);
+            if (beside[v]! < 0) {
+                const i = v === c0 ? 0 : v === c1 ? 1 : v === c2 ? 2 : 3;
+                const p = cells[at + ((i + 3) & 3)]!;
+                const n = cells[at + ((i + 1) & 3)]!;
+                const o = cells[at + ((i + 2) & 3)]!;
+                if (p !== v && n !== v && o !== v) {
+                    beside[v] = p;
+                    beside2[v] = n;
+                    opposite[v] = o;
+                }
+            }
+            if ((cells[at + 4]! & cells[at + 5]! & cells[at + 6]! & cells[at + 7]!) !== none) this.addMids(cells, at);
+        }
+    }
+
+    /** Adds hanging vertices: that one hangs says more of its place than a cell that it is a corner of. */
+    private addMids(cells: Int32Array, at: number): void {
+        for (let i = 0; i < 4; ++i) {
+            const mid = cells[at + 4 + i]!;
+            const from = cells[at + i]!;
+            const to = cells[at + ((i + 1) & 3)]!;
+            if (from >= mid || to >= mid) continue;
+            if (this.beside[mid]! >= 0 && this.opposite[mid]! < 0) continue;
+            this.beside[mid] = from;
+            this.beside2[mid] = to;
+            this.opposite[mid] = none;
+        }
+    }
+}
+
+/** One side of a cell, over its mid if there is one. */
+function side(highest: Int32Array, lowest: Int32Array, from: number, mid: number, to: number): void {
+    if (mid < 0) join(highest, lowest, from, to);
+    else {
+        join(highest, lowest, from, mid);
+        join(highest, lowest, mid, to);
+    }
+}
+
+function join(highest: Int32Array, lowest: Int32Array, u: number, w: number): void {
+    if (u === w) return;
+    const low = u < w ? u : w;
+    const high = u < w ? w : u;
+    if (low > highest[high]!) highest[high] = low;
+    const lowestSoFar = lowest[high]!;
+    if (lowestSoFar < 0 || low < lowestSoFar) lowest[high] = low;
+}
+
+function stir(sum: number, word: number): number {
+    const x = sum ^ word;
+    return Math.imul((x << 13) | (x >>> 19), 0x9e3779b1);
+}
+
+/** Sums words in any number of steps, each of which but the last adds a multiple of four. */
+export class WordSum {
+    private readonly sums = new Int32Array(4);
+    private readonly ofSums = new Int32Array(4);
+    private count = 0;
+
+    add(words: Int32Array): void {
+        const { sums, ofSums } = this;
+        let a = sums[0]!;
+        let b = sums[1]!;
+        let c = sums[2]!;
+        let d = sums[3]!;
+        let e = ofSums[0]!;
+        let f = ofSums[1]!;
+        let g = ofSums[2]!;
+        let h = ofSums[3]!;
+        const whole = words.length & ~3;
+        for (let at = 0; at < whole; at += 4) {
+            a = (a + words[at]!) | 0;
+            b = (b + words[at + 1]!) | 0;
+            c = (c + words[at + 2]!) | 0;
+            d = (d + words[at + 3]!) | 0;
+            e = (e + a) | 0;
+            f = (f + b) | 0;
+            g = (g + c) | 0;
+            h = (h + d) | 0;
+        }
+        sums[0] = a;
+        sums[1] = b;
+        sums[2] = c;
+        sums[3] = d;
+        ofSums[0] = e;
+        ofSums[1] = f;
+        ofSums[2] = g;
+        ofSums[3] = h;
+        for (let at = whole; at < words.length; ++at) {
+            sums[at & 3]! += words[at]!;
+            ofSums[at & 3]! += sums[at & 3]!;
+        }
+        this.count += words.length;
+    }
+
+    value(): number {
+        let sum = this.count | 0;
+        for (let lane = 0; lane < 4; ++lane) sum = stir(stir(sum, this.sums[lane]!), this.ofSums[lane]!);
+        return (sum ^ (sum >>> 15)) >>> 0;
+    }
+}
+
+/** Returns the sum of the words, as an unsigned number. */
+export function wordSum(words: Int32Array): number {
+    const sum = new WordSum();
+    sum.add(words);
+    return sum.value();
+}
+
+type Numbers = Int32Array | Uint32Array;
+
+/**
+ * `array` itself if it has `length` numbers, else one with the same beginning and room for half as many more:
+ * pages that are not used cost nothing, growing soon again costs a copy.
+ */
+export function roomFor<Kind extends Numbers>(array: Kind, length: number): Kind {
+    if (array.length >= length) return array;
+    const make = array.constructor as new (length: number) => Kind;
+    const longer = new make(length + (length >> 1));
+    longer.set(array);
+    return longer;
 }

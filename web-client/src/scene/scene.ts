@@ -1,8 +1,7 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds
 // it and listens to it.
 import { type Color, Scene, WebGLRenderer } from 'three';
-import type { BodyMesh } from '../mesh/bodyMesh.ts';
-import type { TimedMeshChange } from '../mesh/meshChange.ts';
+import type { BodyMesh, TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
 import type { Bounds } from './domain/domainAxes.ts';

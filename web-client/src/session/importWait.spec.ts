@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { settled } from '../testing/fakeClock.ts';
+import { answering, settled } from '../testing/fakes.ts';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import { AppState } from '../state/appState.ts';
-import { answering } from '../testing/answering.ts';
 import { CallError } from '../worker/workerClient.ts';
 import { ImportWait } from './importWait.ts';
 

@@ -1,8 +1,7 @@
 // The server's records as this page holds them: a snapshot replaces all of them, a patch some. Nothing else
 // writes them.
 import type { Patch, SessionSnapshot, SurfaceEpoch } from '../protocol/messages.ts';
-import type { AppState } from '../state/appState.ts';
-import { noUnits } from '../state/units.ts';
+import { type AppState, noUnits } from '../state/appState.ts';
 
 /** Describes what has become of surfaces. */
 export interface SurfaceNews {

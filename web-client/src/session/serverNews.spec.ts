@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { DatasetEntry } from '../protocol/messages.ts';
-import { sampleStatistics } from '../protocol/testing/sampleRecords.ts';
+import { sampleStatistics } from '../testing/records.ts';
 import { AppState } from '../state/appState.ts';
 import { ServerNews } from './serverNews.ts';
 

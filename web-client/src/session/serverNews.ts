@@ -1,6 +1,5 @@
 // Hands what the server tells by itself to whom it concerns: records, surfaces, people, datasets, notices.
-import type { Notification, ReportedError, SurfaceDone } from '../protocol/messages.ts';
-import { unreadableWords } from '../protocol/unreadable.ts';
+import { type Notification, type ReportedError, type SurfaceDone, unreadableWords } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
 import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';

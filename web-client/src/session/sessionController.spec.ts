@@ -1,13 +1,9 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { settled } from '../testing/fakeClock.ts';
-import type { DatasetEntry, Patch, SessionSnapshot } from '../protocol/messages.ts';
-import { emptySnapshot } from '../protocol/testing/sampleRecords.ts';
-import { apiLevel } from '../protocol/version.ts';
+import { answering, emptyStorage, settled } from '../testing/fakes.ts';
+import { apiLevel, type DatasetEntry, type Patch, type SessionSnapshot } from '../protocol/messages.ts';
+import { datasetOf, emptySnapshot, rakeOf, suggestionOf, surfaceOf } from '../testing/records.ts';
 import { AppState } from '../state/appState.ts';
-import { answering } from '../testing/answering.ts';
-import { datasetOf, rakeOf, surfaceOf, suggestionOf } from '../testing/records.ts';
-import { emptyStorage } from '../testing/keptTexts.ts';
 import { CallError } from '../worker/workerClient.ts';
 import { Suggestions } from './sessions/suggestions.ts';
 import { OpenDataset } from './openDataset.ts';

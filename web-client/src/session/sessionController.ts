@@ -2,8 +2,7 @@
 // same again after every interruption. It makes no session by itself: what the server does not have (any
 // more) is said, with what can be done about it.
 import type { ConnectionState } from '../connection/liveSocket.ts';
-import type { JoinedSession, Patch, SessionSnapshot } from '../protocol/messages.ts';
-import { apiLevel } from '../protocol/version.ts';
+import { apiLevel, type JoinedSession, type Patch, type SessionSnapshot } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
 import { keep } from '../state/browserMemory.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Announcements } from './announcements.ts';
+import { Announcements, isolated } from './announcements.ts';
 
 describe('what is said over the picture', () => {
     it('keeps what is said of one thing while another works again', () => {
@@ -59,4 +59,10 @@ describe('old news', () => {
         announcements.passed('edit');
         expect(announcements.all.value.get('seeds')).toBe('two');
     });
+});
+
+it('names that turn the direction of writing are kept apart from what is beside them, and others are as they are', () => {
+    for (const name of ['', 'wake 2', 'Köln, 東京', '<b>"\'&']) expect(isolated(name)).toBe(name);
+    expect(isolated('\u05d0\u05d1 1')).toBe('\u2068\u05d0\u05d1 1\u2069');
+    expect(isolated('a\u202eb\u2069\u2067c')).toBe('\u2068abc\u2069');
 });

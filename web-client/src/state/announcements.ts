@@ -1,5 +1,5 @@
-// Holds what is said to the user over the picture, by what it is about: the newest words about a thing count,
-// and go when that thing is well again or they are sent away; what is said of other things stays.
+// What is said to the user over the picture, by what it is about: the newest words about a thing count, and go when that thing is well
+// again or they are sent away; what is said of other things stays. Names that others have written are fenced off in it.
 import { signal } from '@preact/signals-core';
 
 /** Describes what can be done about it, at once. */
@@ -52,4 +52,14 @@ export class Announcements {
         this.remedies.delete(about);
         this.all.value = rest;
     }
+}
+
+/** Letters of scripts that are written from right to left, and signs that turn the direction of writing. */
+const turning =
+    /[\u0590-\u08ff\u200e\u200f\u202a-\u202e\u2066-\u2069\ufb1d-\ufdff\ufe70-\ufefe\u{10800}-\u{10fff}\u{1e800}-\u{1efff}]/u;
+const signs = /[\u200e\u200f\u202a-\u202e\u2066-\u2069]/g;
+
+/** So that what is beside it stays where it is, whatever the name has: between signs that isolate it (Unicode Standard Annex 9). */
+export function isolated(name: string): string {
+    return turning.test(name) ? `\u2068${name.replace(signs, '')}\u2069` : name;
 }

@@ -17,12 +17,11 @@ import type {
     Role,
     StepHeld,
     SurfaceRecord,
-    Vec3,
     SurfaceStats,
     ValueRange,
+    Vec3,
 } from '../protocol/messages.ts';
 import { Announcements } from './announcements.ts';
-import { noUnits, type Units } from './units.ts';
 import type { LatencySample } from './latency.ts';
 
 /** Describes what is on the screen of one surface. */
@@ -252,3 +251,11 @@ export function withoutEntry<V>(map: ReadonlyMap<string, V>, key: string): Map<s
     copy.delete(key);
     return copy;
 }
+
+export interface Units {
+    length: string;
+    time: string;
+}
+
+/** Not known. */
+export const noUnits: Units = { length: '', time: '' };

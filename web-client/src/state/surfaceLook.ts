@@ -1,6 +1,7 @@
 // Describes how a user wants a surface to look: plain values, kept by this page alone, and by links and
 // bookmarks. What comes back from those may be of strangers or of older versions; whatever is wrong in it
 // becomes the usual.
+import type { SurfaceRecord, ValueRange } from '../protocol/messages.ts';
 
 export const colourMaps = ['viridis', 'cividis', 'inferno', 'plasma', 'coolToWarm', 'grey', 'turbo'] as const;
 export type ColourMap = (typeof colourMaps)[number];
@@ -155,4 +156,18 @@ export function decodeLook(value: unknown): SurfaceLook {
         ([name, each]) => Object.hasOwn(checks, name) && checks[name as keyof SurfaceLook](each),
     );
     return { ...usualLook, ...Object.fromEntries(given) };
+}
+
+/** Is the range of one field, on some surfaces. */
+export interface AutomaticRange extends Omit<ValueRange, 'attribute'> {
+    surfaces: number;
+}
+
+/** By meaningOf(). */
+export type AutomaticRanges = ReadonlyMap<string, AutomaticRange>;
+
+/** Surfaces whose colours mean the same have the same name here. Across a patch age is not what it is
+ *  elsewhere. */
+export function meaningOf({ colourBy }: SurfaceLook, { kind }: Pick<SurfaceRecord, 'kind'>): string {
+    return colourBy === 'age' && kind === 'time' ? 'patch' : colourBy;
 }

@@ -2,11 +2,9 @@
 // Written by ui/ and session/, read by both.
 import { signal } from '@preact/signals-core';
 import type { Vec3 } from '../protocol/messages.ts';
-import type { AutomaticRanges } from './automaticRange.ts';
-import { type ClipPlanes, noClip } from './clipPlanes.ts';
-import { type SurfaceLook, usualLook } from './surfaceLook.ts';
-import { noUnits, type Units } from './units.ts';
-import { allShown, type Visibility } from './visibility.ts';
+import { type AutomaticRanges, type SurfaceLook, usualLook } from './surfaceLook.ts';
+import { allShown, type ClipPlanes, noClip, type Visibility } from './pageView.ts';
+import { noUnits, type Units } from './appState.ts';
 
 /** Names what a click on the picture does. */
 export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint';

@@ -1,5 +1,6 @@
-// The page's session without picture and network, for tests of panels: the server keeps what it is asked for
-// and tells it back. The data are like those of the bundled flow.
+// The page's session without picture and network, for tests of panels: the server keeps what it is asked for and answers with it; for tests
+// of edits it answers when the test lets it. The data are like those of the bundled flow.
+import type { MethodName, Patch, RakeRecord, SurfaceKind, SurfaceRecord, Vec3 } from '../protocol/messages.ts';
 import { Calls } from '../session/base/calls.ts';
 import { Edits } from '../session/edits/edits.ts';
 import { adoptSnapshot, applyPatches } from '../session/recordMirror.ts';
@@ -7,15 +8,11 @@ import { Families } from '../session/surface/families.ts';
 import { ClockControl } from '../session/time/clockControl.ts';
 import { chooseKind } from '../session/time/kindChoice.ts';
 import { Playback } from '../session/time/playback.ts';
-import type { MethodName, Patch, RakeRecord, SurfaceKind, SurfaceRecord, Vec3 } from '../protocol/messages.ts';
-import { emptySnapshot } from '../protocol/testing/sampleRecords.ts';
 import { AppState, withEntry } from '../state/appState.ts';
 import { LatencyLog } from '../state/latency.ts';
 import { ViewState } from '../state/viewState.ts';
-import { answering, type Asked } from './answering.ts';
-import type { Call } from './editsBench.ts';
-import { FakeClock } from './fakeClock.ts';
-import { datasetOf, displayedOf, fieldOf, rakeOf, surfaceOf } from './records.ts';
+import { answering, type Asked, FakeClock, settled } from './fakes.ts';
+import { datasetOf, displayedOf, emptySnapshot, fieldOf, rakeOf, surfaceOf } from './records.ts';
 
 const spacing = 0.1675;
 const points: [Vec3, Vec3] = [
@@ -136,4 +133,62 @@ export class PageBench {
 
 export function put(type: Patch['type'], id: string, record: object): Patch {
     return { op: 'put', type, id, record } as unknown as Patch;
+}
+
+export type Call = [method: string, params: Record<string, unknown>];
+
+export class Bench {
+    state = new AppState();
+    calls: Call[] = [];
+    waiting: { resolve: (result: unknown) => void; reject: (error: Error) => void }[] = [];
+    held = false;
+    edits: Edits;
+
+    constructor() {
+        const worker = answering((...call) => {
+            this.calls.push([call[0], call[1]]);
+            return new Promise((resolve, reject) => this.waiting.push({ resolve, reject }));
+        });
+        const options = { state: this.state, worker, latency: new LatencyLog(), requestFrame: () => undefined };
+        this.edits = new Edits({ ...options, dragging: () => this.held });
+        this.state.capabilities.value = ['lease'];
+        this.records([rakeOf('r1'), rakeOf('r2')], [surfaceOf('s1', { rake: 'r1' }), surfaceOf('s2', { rake: 'r2' })]);
+    }
+
+    records(rakes: RakeRecord[], surfaces = [...this.state.surfaces.value.values()]): void {
+        this.state.rakes.value = new Map(rakes.map((each) => [each.rake, each]));
+        this.state.surfaces.value = new Map(surfaces.map((each) => [each.surface, each]));
+        this.edits.recordsChanged();
+    }
+
+    drag(x: number, dragging = true): void {
+        this.held = dragging;
+        const shape = {
+            kind: 'line',
+            points: [
+                [x, 0, 0],
+                [0, 0, 1],
+            ] as Vec3[],
+        } as const;
+        this.edits.moveRake({ shape, dragging, movedAt: 1000 + x });
+    }
+
+    async answer(rev = 2, rest: object = {}): Promise<void> {
+        this.waiting.shift()?.resolve({ rake: 'r1', rev, clipped: false, points: [], surfaces: [], skipped: [], ...rest });
+        for (let i = 0; i < 6; ++i) await settled();
+    }
+
+    async refuse(error: Error): Promise<void> {
+        this.waiting.shift()?.reject(error);
+        for (let i = 0; i < 6; ++i) await settled();
+    }
+
+    /** Returns what the problems that are told are about. */
+    get told(): string[] {
+        return [...this.state.problems.all.value.keys()];
+    }
+
+    get sent(): unknown[] {
+        return this.calls.map(([, params]) => (params['points'] as Vec3[] | undefined)?.[0]?.[0] ?? params);
+    }
 }

@@ -8,7 +8,7 @@ import type { SessionShelf } from '../session/sessions/sessionShelf.ts';
 import type { AppState } from '../state/appState.ts';
 import { ModelElement } from './base/signalElement.ts';
 import { countWords } from './base/statusWords.ts';
-import { isolated } from '../state/foreignText.ts';
+import { isolated } from '../state/announcements.ts';
 
 export interface DatasetHeadModel {
     state: Pick<AppState, 'dataset' | 'datasets' | 'role' | 'problems'>;

@@ -43,7 +43,7 @@ import './out/meshExport.ts';
 import type { MeshExportModel } from './out/meshExport.ts';
 import './out/pictureExport.ts';
 import type { PictureExportModel } from './out/pictureExport.ts';
-import { isolated } from '../state/foreignText.ts';
+import { isolated } from '../state/announcements.ts';
 
 export interface ExportModel {
     picture: PictureExportModel;

@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import type { MeshChange } from '../mesh/meshChange.ts';
-import { noVertex } from '../protocol/cell.ts';
+import { noVertex } from '../protocol/wireMesh.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
 import { curvedChange, withSentNormals } from './curvedCells.ts';
-import { addNormals } from './normals.ts';
+import { addNormals } from './vertexQuantities.ts';
 
 const radius = 2;
 

@@ -3,7 +3,7 @@
 // sides (Coons, 1967). Of fourth order with the normals that the surface's tangents have, where they come
 // with it; with means of the triangles round a vertex, of third.
 import { type MeshChange, normalNames } from '../mesh/meshChange.ts';
-import { cellStride, noVertex } from '../protocol/cell.ts';
+import { cellStride, noVertex } from '../protocol/wireMesh.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
 
 const finest = 8;

@@ -3,11 +3,9 @@ import type { MeshChange } from '../mesh/meshChange.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { type AppliedUpdate, MeshDecoder } from '../protocol/meshDecoder.ts';
 import { dracoPoints } from '../protocol/testing/golden.ts';
-import { seededRandom } from '../protocol/testing/random.ts';
-import { ranges } from '../protocol/testing/randomSurface.ts';
-import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
+import { lattice, randomUpdates, ranges, seededRandom } from '../protocol/testing/randomSurface.ts';
 import { DisplayArrays } from './displayArrays.ts';
-import { addNormals } from './normals.ts';
+import { addNormals } from './vertexQuantities.ts';
 import type { ShowWish } from './workerMessages.ts';
 
 let points: DracoPoints;

@@ -1,16 +1,13 @@
 // The state of a surface as the GPU takes it: float32 positions, normals, s and t, the attributes that are
 // shown, triangles. Keeps what it has made, so that a surface that only grows costs what has grown.
-import { cellStride } from '../protocol/cell.ts';
+import { type AttributeRange, cellStride, valueOf, type WireMesh } from '../protocol/wireMesh.ts';
 import { type Cut, type MeshChange, normalNames, type ScalarChange, type SurfacePart } from '../mesh/meshChange.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import type { AppliedUpdate } from '../protocol/meshDecoder.ts';
 import { triangleCount, triangulate } from '../protocol/triangulate.ts';
-import { type AttributeRange, valueOf, type WireMesh } from '../protocol/wireMesh.ts';
-import { addNormals } from './normals.ts';
+import { addNormals, unitLengths, unresolved } from './vertexQuantities.ts';
 import { findParts } from './parts.ts';
 import { trimTornBorder } from './tornBorder.ts';
-import { unitLengths } from './unitLengths.ts';
-import { unresolved } from './unresolved.ts';
 import type { ShowWish } from './workerMessages.ts';
 
 /** See curvedCells.ts, which is loaded when first needed. */

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { seededRandom } from '../protocol/testing/random.ts';
+import { seededRandom } from '../protocol/testing/randomSurface.ts';
 import { findParts, rootsOf } from './parts.ts';
 
 /** Four corners and no mids. */

@@ -1,6 +1,6 @@
 // Connected parts of a surface: a tear leaves several. Found by joining the vertices of each cell (disjoint
 // sets with path halving, Tarjan and van Leeuwen 1984).
-import { cellStride, noVertex } from '../protocol/cell.ts';
+import { cellStride, noVertex } from '../protocol/wireMesh.ts';
 import { type SurfacePart, wholeCut } from '../mesh/meshChange.ts';
 import type { PartsWish } from './workerMessages.ts';
 

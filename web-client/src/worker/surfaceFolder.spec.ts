@@ -1,10 +1,10 @@
 import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { dracoPoints } from '../protocol/testing/golden.ts';
-import { lattice, randomUpdates } from '../protocol/testing/randomUpdates.ts';
+import { lattice, randomUpdates } from '../protocol/testing/randomSurface.ts';
 import { sealed } from '../protocol/testing/wireWriter.ts';
-import { SurfaceFolder } from './surfaceFolder.ts';
 import { surfaceOf } from '../testing/records.ts';
+import { AttributeNames, SurfaceFolder } from './surfaceFolder.ts';
 import type { SurfaceState } from './workerMessages.ts';
 
 let points: DracoPoints;
@@ -158,5 +158,32 @@ describe('SurfaceFolder', () => {
         // Three attributes, and not the four that were told: only what every surface has is sure.
         bench.receive(0);
         expect(bench.states.at(-1)!.scalars.map(({ name }) => name)).toEqual(['speed']);
+    });
+});
+
+describe('AttributeNames', () => {
+    it('are those of the newest epoch up to the one of the frames', () => {
+        const names = new AttributeNames();
+        names.learn('a', 2, ['speed', 's', 't']);
+        names.learn('a', 5, ['speed', 's', 't', 'p']);
+        expect(names.of('a', 4, 3)).toEqual(['speed', 's', 't']);
+        expect(names.of('a', 5, 4)).toEqual(['speed', 's', 't', 'p']);
+        expect(names.of('a', 9, 4)).toEqual(['speed', 's', 't', 'p']);
+    });
+
+    it('are only those that every surface has, where the frames have another number of them', () => {
+        const names = new AttributeNames();
+        names.learn('a', 5, ['speed', 's', 't', 'p']);
+        expect(names.of('a', 6, 5)).toEqual(['speed', 's', 't']);
+        expect(names.of('b', 1, 3)).toEqual(['speed', 's', 't']);
+    });
+
+    it('forget old epochs, and whole surfaces when told', () => {
+        const names = new AttributeNames();
+        for (let epoch = 1; epoch < 40; ++epoch) names.learn('a', epoch, ['speed', 's', 't', `f${epoch}`]);
+        expect(names.of('a', 39, 4)[3]).toBe('f39');
+        expect(names.of('a', 1, 4)).toEqual(['speed', 's', 't']);
+        names.forget('a');
+        expect(names.of('a', 39, 4)).toEqual(['speed', 's', 't']);
     });
 });

@@ -1,9 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { cutLevel, wholeCut } from '../mesh/meshChange.ts';
-import { borderOf } from '../mesh/border.ts';
-import { eachSide } from './border.ts';
-import type { TornSurface } from './borderCord.ts';
-import { type Trimming, trimTornBorder } from './tornBorder.ts';
+import { borderOf, cutLevel, wholeCut } from '../mesh/meshChange.ts';
+import { eachSide, type TornSurface, type Trimming, trimTornBorder } from './tornBorder.ts';
 
 /** A flat sheet with a quad where `is` says so; its border is torn, but for where it `ends`. */
 class Grid {

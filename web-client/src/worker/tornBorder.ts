@@ -2,11 +2,8 @@
 // quads that stick out one by one, crumbs, and of the quads along the border what lies outside of a smooth
 // line. Levels of the vertices say so, and the GPU cuts where levels between vertices pass `cutLevel`: cells,
 // triangles and vertices stay as the server has sent them.
-import { borderOf } from '../mesh/border.ts';
-import { cutLevel, wholeCut } from '../mesh/meshChange.ts';
-import { cellStride, noVertex } from '../protocol/cell.ts';
-import { eachSide } from './border.ts';
-import { BorderCord, type TornSurface } from './borderCord.ts';
+import { borderOf, cutLevel, wholeCut } from '../mesh/meshChange.ts';
+import { cellStride, noVertex } from '../protocol/wireMesh.ts';
 import { rootsOf } from './parts.ts';
 
 export interface Trimming {
@@ -111,4 +108,175 @@ function chainsOf(bases: readonly number[], cells: Int32Array): number[][] {
         }
     }
     return [...chains];
+}
+
+export interface TornSurface {
+    cells: Int32Array;
+    vertices: number;
+    positions: Float32Array;
+    /** Returns whether a vertex is where the surface was meant to end: an end of the rake, the first or the
+     *  last time. */
+    isEnd: (vertex: number) => boolean;
+}
+
+/** Limits the cord to this part of a quad's depth: the cord stays within the outermost quads. */
+const deepest = 0.75;
+/** Smoothing that leaves alone what is larger than a few vertices (Taubin 1995): inwards and outwards in
+ *  turns. */
+const steps = Array.from({ length: 12 }, (_, i) => (i % 2 === 0 ? 0.6 : -0.63));
+const cuts = 4;
+
+/** Lies along the torn border, and is smoothed there. */
+export class BorderCord {
+    private readonly surface: TornSurface;
+    /** Vertices on the border; arrays go by their place here. */
+    private readonly vertices: readonly number[];
+    /** Neighbours along the border, by their places; below 0: it stays. */
+    private readonly before: Int32Array;
+    private readonly after: Int32Array;
+    /** From the vertex to those inside that it is joined with, xyz. */
+    private readonly inward: Float64Array;
+    /** Is measured inwards: where the border is, and where a smooth one would be; below 0 outside of it. */
+    private readonly depth: Float64Array;
+    private readonly wanted: Float64Array;
+
+    constructor(surface: TornSurface, torn: Uint8Array, gone: Uint8Array) {
+        this.surface = surface;
+        const neighbours = neighboursOnBorder(surface.cells, surface.vertices, gone);
+        this.vertices = [...neighbours.keys()];
+        const count = this.vertices.length;
+        const placeOf = new Map(this.vertices.map((vertex, i) => [vertex, i]));
+        [this.before, this.after] = [new Int32Array(count).fill(-1), new Int32Array(count)];
+        [this.inward, this.depth, this.wanted] = [new Float64Array(3 * count), new Float64Array(count), new Float64Array(count)];
+        const inside = this.insideOf(torn, gone, placeOf);
+        this.vertices.forEach((vertex, i) => {
+            const [before, after, ...more] = neighbours.get(vertex)!;
+            const sum = inside.subarray(4 * i, 4 * i + 4);
+            if (torn[vertex] === 0 || before === undefined || after === undefined || more.length > 0 || sum[3] === 0) return;
+            [this.before[i], this.after[i]] = [placeOf.get(before)!, placeOf.get(after)!];
+            for (let k = 0; k < 3; ++k) this.inward[3 * i + k] = sum[k]! / sum[3]! - this.at(vertex, k);
+        });
+    }
+
+    /** Where a smooth border would be, of the way inwards from each vertex; below 0 outside of it. */
+    smooth(): [vertex: number, depth: number][] {
+        for (let i = 0; i < cuts; ++i) this.cut();
+        const { before, depth, wanted } = this;
+        const all = this.vertices.map((vertex, i): [number, number] => [vertex, depth[i]! > 0.02 ? depth[i]! : wanted[i]!]);
+        return all.filter((_, i) => before[i]! >= 0);
+    }
+
+    /** Cuts off what sticks out of the border as smoothed: without what is left of dents, which the next cut
+     *  makes less of. */
+    private cut(): void {
+        const { before, inward, depth, wanted } = this;
+        const here = new Float64Array(inward.length);
+        this.vertices.forEach((vertex, i) => {
+            for (let k = 0; k < 3; ++k) here[3 * i + k] = this.at(vertex, k) + depth[i]! * inward[3 * i + k]!;
+        });
+        let [from, to] = [here.slice(), here.slice()];
+        for (const by of steps) {
+            this.step(from, to, by);
+            [from, to] = [to, from];
+        }
+        for (let i = 0; i < before.length; ++i) {
+            let [along, squared] = [0, 0];
+            for (let k = 3 * i; k < 3 * i + 3; ++k) {
+                along += (from[k]! - here[k]!) * inward[k]!;
+                squared += inward[k]! ** 2;
+            }
+            const way = squared > 0 ? along / squared : 0;
+            depth[i] = Math.min(deepest, depth[i]! + Math.max(0, way));
+            wanted[i] = Math.max(-1, Math.min(0, way));
+        }
+    }
+
+    /** Each by a part of the way to the line between its neighbours, where that is as far along as it is. */
+    private step(from: Float64Array, to: Float64Array, by: number): void {
+        const { before, after } = this;
+        for (let i = 0; i < before.length; ++i) {
+            if (before[i]! < 0) continue;
+            const [at, a, b] = [3 * i, 3 * before[i]!, 3 * after[i]!];
+            const [toA, toB] = [distance(from, at, a), distance(from, at, b)];
+            const weight = toA + toB > 0 ? toB / (toA + toB) : 0.5;
+            for (let k = 0; k < 3; ++k) {
+                const x = from[at + k]!;
+                to[at + k] = x + by * (from[a + k]! * weight + from[b + k]! * (1 - weight) - x);
+            }
+        }
+    }
+
+    private at(vertex: number, axis: number): number {
+        return this.surface.positions[3 * vertex + axis]!;
+    }
+
+    /** Sums of the places of what lies inside, and of how many: across a side, or else across a cell. */
+    private insideOf(torn: Uint8Array, gone: Uint8Array, placeOf: ReadonlyMap<number, number>): Float64Array {
+        const sums = new Float64Array(4 * placeOf.size);
+        const add = (vertex: number, inner: number): void => {
+            const sum = 4 * placeOf.get(vertex)!;
+            for (let k = 0; k < 3; ++k) sums[sum + k]! += this.at(inner, k);
+            ++sums[sum + 3]!;
+        };
+        const { cells } = this.surface;
+        const isOn = (vertex: number): boolean => torn[vertex] !== 0 && placeOf.has(vertex);
+        eachSide(cells, gone, (from, to) => {
+            if (isOn(from) && !placeOf.has(to)) add(from, to);
+            if (isOn(to) && !placeOf.has(from)) add(to, from);
+        });
+        const across = sums.slice();
+        for (let base = 0; base < cells.length; base += cellStride) {
+            if (gone[base / cellStride] !== 0) continue;
+            for (let i = 0; i < 4; ++i) {
+                const [corner, opposite] = [cells[base + i]!, cells[base + ((i + 2) & 3)]!];
+                if (!isOn(corner) || placeOf.has(opposite)) continue;
+                if (across[4 * placeOf.get(corner)! + 3] === 0) add(corner, opposite);
+            }
+        }
+        return sums;
+    }
+}
+
+function distance(places: Float64Array, a: number, b: number): number {
+    return Math.sqrt(
+        (places[a]! - places[b]!) ** 2 + (places[a + 1]! - places[b + 1]!) ** 2 + (places[a + 2]! - places[b + 2]!) ** 2,
+    );
+}
+
+/** The sides of cells, over their mids. @param gone 1 for each cell that does not count */
+export function eachSide(cells: Int32Array, gone: Uint8Array, use: (from: number, to: number) => void): void {
+    for (let base = 0; base < cells.length; base += cellStride) {
+        if (gone[base / cellStride] !== 0) continue;
+        for (let i = 0; i < 4; ++i) {
+            const from = cells[base + i]!;
+            const mid = cells[base + 4 + i]!;
+            const to = cells[base + ((i + 1) & 3)]!;
+            if (mid !== noVertex) use(from, mid);
+            if (from !== to || mid !== noVertex) use(mid === noVertex ? from : mid, to);
+        }
+    }
+}
+
+/** The neighbours along the border of each vertex that is on one. */
+export function neighboursOnBorder(cells: Int32Array, vertices: number, gone: Uint8Array): Map<number, number[]> {
+    const onBorder = borderOf((use) => eachSide(cells, gone, use), vertices);
+    const met = new Map<number, [number, number]>();
+    eachSide(cells, gone, (from, to) => {
+        if (onBorder[from] === 0 || onBorder[to] === 0) return;
+        const side = Math.min(from, to) * vertices + Math.max(from, to);
+        if (met.has(side)) met.delete(side);
+        else met.set(side, [from, to]);
+    });
+    const neighbours = new Map<number, number[]>();
+    for (const [from, to] of met.values()) {
+        for (const [u, w] of [
+            [from, to],
+            [to, from],
+        ] as const) {
+            const known = neighbours.get(u);
+            if (known === undefined) neighbours.set(u, [w]);
+            else known.push(w);
+        }
+    }
+    return neighbours;
 }

@@ -1,5 +1,5 @@
 // Everything the page and its worker say to each other, one table for each direction.
-import type { KeptLogin } from '../connection/keptLogins.ts';
+import type { KeptLogin } from '../connection/ownServer.ts';
 import type { ConnectionState } from '../connection/liveSocket.ts';
 import type { TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Lattice } from '../protocol/lattice.ts';

@@ -1,5 +1,16 @@
-// Surfaces that change by chance: worse than any real one, so that every branch of the wire is taken.
-import { emptyState, type PlainEdit, type PlainState, type WriteOptions } from './wireWriter.ts';
+// Surfaces that change by chance, the same on every run: worse than any real one, so that every branch of the wire is taken.
+import { emptyState, type PlainEdit, type PlainState, type WriteOptions, writeUpdate } from './wireWriter.ts';
+
+/** Numbers in 0 .. 2^32 - 1 (xorshift32). */
+export function seededRandom(seed: number): () => number {
+    let state = seed;
+    return () => {
+        state ^= state << 13;
+        state ^= state >>> 17;
+        state ^= state << 5;
+        return state >>> 0;
+    };
+}
 
 export const ranges: [number, number][] = [
     [-1, 3],
@@ -93,4 +104,25 @@ function randomCell(vertices: number, dice: Dice): number[] {
     const near = (offset: number): number => (base + offset + (dice.oneIn(5) ? dice.below(7) : 0)) % vertices;
     const mid = (): number => (dice.oneIn(4) ? dice.below(vertices) : none);
     return [near(0), near(6), near(7), near(1), mid(), mid(), mid(), mid()];
+}
+
+export interface Update {
+    frames: Uint8Array[];
+    state: PlainState;
+}
+
+export const lattice = { origin: [10, -2, 5] as [number, number, number], step: 0.25, bits: 12 };
+
+/** `stillness`: vertices that are there do not move. */
+export function randomUpdates(seed: number, count: number, stillness = false): Update[] {
+    const dice = new Dice(seededRandom(seed));
+    const all: Update[] = [];
+    let state = emptyState();
+    for (let seq = 0; seq < count; ++seq) {
+        const step = randomStep(state, dice, seq, seq === 0 || dice.oneIn(40));
+        if (stillness) step.edit.movedVertices.fill(false);
+        all.push(writeUpdate(step.options.key ? emptyState() : state, step.edit, step.wanted, step.options));
+        ({ state } = all.at(-1)!);
+    }
+    return all;
 }

@@ -1,8 +1,7 @@
 // Writes frames as protocol/wire/FORMAT.md has them, slowly and plainly: every list is searched, every number
 // is a BigInt or small. Shares no code with the reader but the byte counts, so that each checks the other.
 import { deflateRawSync } from 'node:zlib';
-import { crc32 } from '../crc32.ts';
-import { frameCrcAt, frameHeaderBytes } from '../meshFrame.ts';
+import { crc32, frameCrcAt, frameHeaderBytes } from '../meshFrame.ts';
 
 export interface PlainState {
     positions: number[][];

@@ -4,7 +4,7 @@
 import { Group } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { Layer, ScreenPoint, View } from '../base/view.ts';
-import { HandleSprites, type HandleSprite } from './handleSprites.ts';
+import { type HandleSprite, HandleSprites } from './handleSprites.ts';
 import { RakeCurve } from './rakeCurve.ts';
 import { type Handle, handlesOf } from './rakeHandles.ts';
 import { axisColours, type RakeLayer } from './rakeLayer.ts';

@@ -13,8 +13,7 @@ import {
     Vector2,
 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import type { View } from '../base/view.ts';
-import { isOrthographic } from '../base/view.ts';
+import { isOrthographic, type View } from '../base/view.ts';
 import { distance } from './vec3.ts';
 
 // Lifted towards the eye, so that the surface that starts here does not hide half of it. What is behind the

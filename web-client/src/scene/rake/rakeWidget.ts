@@ -3,7 +3,7 @@ import { Group } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { View } from '../base/view.ts';
 import type { DrawnRake, HeldHandle } from './drawnRake.ts';
-import { HandleSprites, type HandleSprite, markOf } from './handleSprites.ts';
+import { type HandleSprite, HandleSprites, markOf } from './handleSprites.ts';
 import { RakeCurve } from './rakeCurve.ts';
 import { type Handle, handlesOf, hasPointHandles, positionOf } from './rakeHandles.ts';
 import { curveOf, middleOf, type RakeShape } from './rakeShape.ts';

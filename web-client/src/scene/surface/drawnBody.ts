@@ -11,7 +11,7 @@ import {
     Plane,
     Vector3,
 } from 'three';
-import type { BodyMesh } from '../../mesh/bodyMesh.ts';
+import type { BodyMesh } from '../../mesh/meshChange.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { pushBack } from './bodyDepth.ts';
 import { giveTexture, showTexture } from './bodyTexture.ts';

@@ -1,7 +1,6 @@
 // Where discs end: at the border of the surface, by lines in the plane of each. A vertex on the border has two
 // through its middle; one more may pass beside it, of a side opposite to it, or where a triangle is cut.
-import { borderOf } from '../../mesh/border.ts';
-import { cutLevel } from '../../mesh/meshChange.ts';
+import { borderOf, cutLevel } from '../../mesh/meshChange.ts';
 
 export interface SplatSurface {
     positions: Float32Array;

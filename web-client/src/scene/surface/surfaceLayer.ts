@@ -8,7 +8,7 @@ import { ContactShade, shadedLayer } from './contactShade.ts';
 import { grainsPerLength } from './flowTextureShader.ts';
 import { decodeMask } from './maskCode.ts';
 import { Splats } from './splats.ts';
-import { SurfaceMask, type BrushPrint } from './surfaceMask.ts';
+import { type BrushPrint, SurfaceMask } from './surfaceMask.ts';
 import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
 import { noPlanes, sharedUniforms, SurfaceMaterials } from './surfaceMaterial.ts';
 import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';

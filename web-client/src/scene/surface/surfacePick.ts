@@ -13,8 +13,8 @@ import {
     NoBlending,
     Scene,
     ShaderMaterial,
-    WebGLRenderTarget,
     type WebGLRenderer,
+    WebGLRenderTarget,
 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { isOrthographic, type ScreenPoint, type View } from '../base/view.ts';

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { settled } from '../../testing/fakeClock.ts';
+import { answering, settled } from '../../testing/fakes.ts';
 import { AppState } from '../../state/appState.ts';
-import { answering } from '../../testing/answering.ts';
 import { Gestures } from '../edits/gestures.ts';
 import { UndoHistory } from '../edits/undoHistory.ts';
 import { Calls } from './calls.ts';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { settled } from '../../testing/fakeClock.ts';
-import { Bench, type Call } from '../../testing/editsBench.ts';
-import { datasetOf, rakeOf, surfaceOf, suggestionOf } from '../../testing/records.ts';
+import { settled } from '../../testing/fakes.ts';
+import { Bench, type Call } from '../../testing/pageBench.ts';
+import { datasetOf, rakeOf, suggestionOf, surfaceOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { numberProblems } from './rakeEdits.ts';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Bench } from '../../testing/editsBench.ts';
+import { Bench } from '../../testing/pageBench.ts';
 import { datasetOf, surfaceOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
-import { sampleSurface } from '../../protocol/testing/sampleRecords.ts';
+import { sampleSurface } from '../../testing/records.ts';
 import { fulfils, intentOf, settingAnew, settingOf, withSecondCurve } from './surfaceIntent.ts';
 
 const record = sampleSurface({ from: 8.5, to: 20.5, maxQuads: 1000 });

@@ -5,7 +5,7 @@ import type { HistoryDepth } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { tellFailure } from './editFailures.ts';
-import { isolated } from '../../state/foreignText.ts';
+import { isolated } from '../../state/announcements.ts';
 
 type Way = 'undo' | 'redo';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { sampleSurface } from '../../protocol/testing/sampleRecords.ts';
+import { sampleSurface } from '../../testing/records.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { meshTimeWords, timeInName } from './exportedTime.ts';

@@ -1,8 +1,7 @@
 // The whole mesh of a surface as a file, in full precision. The server answers when the surface is final, or
 // with what it shows now.
 import { signal } from '@preact/signals-core';
-import { faultOf, requestWords } from '../../connection/httpFault.ts';
-import type { OwnServer } from '../../connection/ownServer.ts';
+import { faultOf, type OwnServer, requestWords } from '../../connection/ownServer.ts';
 import { type MeshFile, meshPath } from './scriptStep.ts';
 
 export interface DownloadProgress {

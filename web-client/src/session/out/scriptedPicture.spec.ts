@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals-core';
 import { beforeEach, describe, expect, it } from 'vitest';
 import { AppState, type DisplayedSurface } from '../../state/appState.ts';
-import { usualLook, type SurfaceLook } from '../../state/surfaceLook.ts';
+import { type SurfaceLook, usualLook } from '../../state/surfaceLook.ts';
 import { displayedOf, surfaceOf } from '../../testing/records.ts';
 import { unfinished } from './scriptedPicture.ts';
 

@@ -1,7 +1,7 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { AppState } from '../../state/appState.ts';
-import { answering } from '../../testing/answering.ts';
+import { answering } from '../../testing/fakes.ts';
 import { displayedOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { leastBetweenMs, mostBytes, restMs, Thumbnails } from './thumbnails.ts';

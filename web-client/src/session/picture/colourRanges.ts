@@ -2,7 +2,7 @@
 // in this picture. It is the server's word for every user what a surface's values range over, so that people
 // who come late, or reload, see the same colours; while a surface plays it only grows.
 import type { AppState } from '../../state/appState.ts';
-import { type AutomaticRange, type AutomaticRanges, meaningOf } from '../../state/automaticRange.ts';
+import { type AutomaticRange, type AutomaticRanges, meaningOf } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { attributeOf } from './surfaceStyleOf.ts';
 

@@ -4,7 +4,7 @@ import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
-import { planeNumbers } from '../../state/clipPlanes.ts';
+import { planeNumbers } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { automaticRanges } from './colourRanges.ts';

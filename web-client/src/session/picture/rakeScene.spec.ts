@@ -2,10 +2,9 @@ import { describe, expect, it } from 'vitest';
 import type { Participant, Vec3 } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
-import { sampleStatistics } from '../../protocol/testing/sampleRecords.ts';
+import { displayedOf, rakeOf, sampleStatistics } from '../../testing/records.ts';
 import type { DrawnRake } from '../../scene/rake/drawnRake.ts';
 import { PageBench } from '../../testing/pageBench.ts';
-import { displayedOf, rakeOf } from '../../testing/records.ts';
 import { holderOf, showRakes } from './rakeScene.ts';
 
 const record = rakeOf('r1', { dragging: true, leasedBy: 'p2' });

@@ -7,7 +7,7 @@ import type { DrawnRake, RakeHolder } from '../../scene/rake/drawnRake.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { showsRake } from '../../state/visibility.ts';
+import { showsRake } from '../../state/pageView.ts';
 import { rakeColour } from './palette.ts';
 
 const ofNobody = '#ffffff';

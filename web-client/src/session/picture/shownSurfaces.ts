@@ -3,7 +3,7 @@
 import { effect } from '@preact/signals-core';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { showsSurface } from '../../state/visibility.ts';
+import { showsSurface } from '../../state/pageView.ts';
 
 /** For as long as the page lives. */
 export function hideSurfaces(state: AppState, view: Pick<ViewState, 'visibility'>): void {

@@ -6,8 +6,7 @@ import { niceStep } from '../../scene/base/ticks.ts';
 import { steadyRange } from '../../scene/surface/steadyRange.ts';
 import { normalNames } from '../../mesh/meshChange.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
-import type { SurfaceLook } from '../../state/surfaceLook.ts';
-import { type AutomaticRange, type AutomaticRanges, meaningOf } from '../../state/automaticRange.ts';
+import { type AutomaticRange, type AutomaticRanges, meaningOf, type SurfaceLook } from '../../state/surfaceLook.ts';
 
 export const deformation = 'deformation';
 export const vorticity = 'vorticity';

@@ -2,8 +2,7 @@
 // of the data knows.
 import { effect } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
-import type { AppState } from '../../state/appState.ts';
-import type { Units } from '../../state/units.ts';
+import type { AppState, Units } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { Calls } from '../base/calls.ts';
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { AppState } from '../../state/appState.ts';
-import { answering } from '../../testing/answering.ts';
+import { answering } from '../../testing/fakes.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { Calls } from '../base/calls.ts';
 import { readFragment } from '../view/urlState.ts';

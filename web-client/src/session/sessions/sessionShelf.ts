@@ -3,12 +3,10 @@
 import { computed, signal } from '@preact/signals-core';
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionEntry, SessionImported } from '../../protocol/messages.ts';
-import { isolated } from '../../state/foreignText.ts';
-import { Announcements } from '../../state/announcements.ts';
+import { Announcements, isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
-import { faultOf, requestWords } from '../../connection/httpFault.ts';
-import type { OwnServer } from '../../connection/ownServer.ts';
+import { faultOf, type OwnServer, requestWords } from '../../connection/ownServer.ts';
 import { openFragment, writeFragment } from '../view/urlState.ts';
 import { fitting } from './fitting.ts';
 import { latestSession } from './knownSessions.ts';

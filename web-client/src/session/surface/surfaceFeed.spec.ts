@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { AppState } from '../../state/appState.ts';
 import { LatencyLog } from '../../state/latency.ts';
-import { answering } from '../../testing/answering.ts';
+import { answering } from '../../testing/fakes.ts';
 import { surfaceOf } from '../../testing/records.ts';
 import type { SurfaceState } from '../../worker/workerMessages.ts';
 import { SurfaceFeed } from './surfaceFeed.ts';

@@ -1,9 +1,8 @@
 import { signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
-import { sampleStatistics } from '../../protocol/testing/sampleRecords.ts';
+import { displayedOf, sampleStatistics } from '../../testing/records.ts';
 import type { SurfaceRecord, SurfaceStats } from '../../protocol/messages.ts';
 import type { DisplayedSurface, Stage } from '../../state/appState.ts';
-import { displayedOf } from '../../testing/records.ts';
 import { SurfaceOutcomes } from './surfaceOutcomes.ts';
 
 function displayed(stateSum: number, phase: DisplayedSurface['phase'] = 'final'): ReadonlyMap<string, DisplayedSurface> {

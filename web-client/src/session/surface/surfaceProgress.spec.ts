@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { AppState } from '../../state/appState.ts';
-import { answering } from '../../testing/answering.ts';
+import { answering } from '../../testing/fakes.ts';
 import { SurfaceProgress, type ToldProgress } from './surfaceProgress.ts';
 
 interface Asked {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { ClockRecord, SurfaceKind } from '../../protocol/messages.ts';
-import { Bench } from '../../testing/editsBench.ts';
+import { Bench } from '../../testing/pageBench.ts';
 import { datasetOf, suggestionOf, surfaceOf } from '../../testing/records.ts';
 import { chooseKind } from './kindChoice.ts';
 import { Playback } from './playback.ts';

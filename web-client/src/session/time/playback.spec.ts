@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../../testing/fakeClock.ts';
+import { FakeClock } from '../../testing/fakes.ts';
 import type { ClockRecord, SurfaceRecord } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { datasetOf, displayedOf, surfaceOf } from '../../testing/records.ts';

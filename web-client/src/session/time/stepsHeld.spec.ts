@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { StepHeld } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
-import { answering } from '../../testing/answering.ts';
+import { answering } from '../../testing/fakes.ts';
 import { datasetOf } from '../../testing/records.ts';
 import { StepsHeld } from './stepsHeld.ts';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { settled } from '../../testing/fakeClock.ts';
+import { answering, type Asked, settled } from '../../testing/fakes.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { Pointer } from '../../scene/base/pointerTools.ts';
 import { AppState } from '../../state/appState.ts';
@@ -7,7 +7,6 @@ import { ViewState } from '../../state/viewState.ts';
 import { nothingThere } from './aiming.ts';
 import { Measuring } from './measuring.ts';
 import { Noting } from './noting.ts';
-import { type Asked, answering } from '../../testing/answering.ts';
 import { datasetOf, fieldOf } from '../../testing/records.ts';
 import { Probing } from './probing.ts';
 

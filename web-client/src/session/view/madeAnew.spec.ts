@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
-import { answering } from '../../testing/answering.ts';
+import { answering } from '../../testing/fakes.ts';
 import { rakeOf, surfaceOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { makeAnew } from './madeAnew.ts';

@@ -6,11 +6,16 @@ import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
-import { noClip } from '../../state/clipPlanes.ts';
-import { type PageView, renamedView } from '../../state/pageView.ts';
+import {
+    decodeVisibility,
+    encodeVisibility,
+    noClip,
+    type PageView,
+    renamedView,
+    renamedVisibility,
+} from '../../state/pageView.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { decodeVisibility, encodeVisibility, renamedVisibility } from '../../state/visibility.ts';
 import { encodeLinkState } from './linkState.ts';
 import type { MadeAnew } from './madeAnew.ts';
 import { showFragment, type UrlState, writeFragment } from './urlState.ts';

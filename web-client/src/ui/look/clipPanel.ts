@@ -1,7 +1,7 @@
 // Planes that cut all surfaces open, and the body if wanted.
 import { css, html, type TemplateResult } from 'lit';
 import { coordinateText } from '../../session/picture/writtenNumbers.ts';
-import type { ClipPlane, ClipPlanes } from '../../state/clipPlanes.ts';
+import type { ClipPlane, ClipPlanes } from '../../state/pageView.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow } from '../base/rows.ts';

@@ -12,8 +12,8 @@ import {
     vorticityComponents,
 } from '../../session/picture/surfaceStyleOf.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
-import { isolated } from '../../state/foreignText.ts';
-import { noUnits, type Units } from '../../state/units.ts';
+import { isolated } from '../../state/announcements.ts';
+import { noUnits, type Units } from '../../state/appState.ts';
 import type { Choice } from '../base/rows.ts';
 
 export const mapNames: Record<ColourMap, string> = {

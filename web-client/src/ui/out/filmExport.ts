@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { sizeFault } from '../../scene/capture.ts';
 import { timeText } from '../../session/picture/writtenNumbers.ts';
-import { framesAtMost, frameTimes, type FilmMaker, type FilmProgress } from '../../session/out/film.ts';
+import { type FilmMaker, type FilmProgress, framesAtMost, frameTimes } from '../../session/out/film.ts';
 import { canEncode } from '../../session/out/videoEncoding.ts';
 import type { Figure } from '../../session/out/figure.ts';
 import type { Playback } from '../../session/time/playback.ts';

@@ -3,7 +3,7 @@ import { afterEach, expect, it, vi } from 'vitest';
 import { OwnServer } from '../../connection/ownServer.ts';
 import { MeshDownload } from '../../session/out/meshDownload.ts';
 import { PageBench } from '../../testing/pageBench.ts';
-import { savedFiles } from '../../testing/savedFiles.ts';
+import { savedFiles } from '../../testing/fakes.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
 import './meshExport.ts';
 

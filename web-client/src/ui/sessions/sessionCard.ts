@@ -3,7 +3,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import type { SessionEntry } from '../../protocol/messages.ts';
 import { agoWords, dayWords } from '../base/timeWords.ts';
 import './sessionPicture.ts';
-import { isolated } from '../../state/foreignText.ts';
+import { isolated } from '../../state/announcements.ts';
 
 /** Describes what is asked about a session before it is done. */
 export type Question = 'rename' | 'delete' | 'forever';

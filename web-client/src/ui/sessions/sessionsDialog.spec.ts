@@ -4,7 +4,7 @@ import { OwnServer } from '../../connection/ownServer.ts';
 import type { SessionEntry } from '../../protocol/messages.ts';
 import { SessionShelf } from '../../session/sessions/sessionShelf.ts';
 import { PageBench } from '../../testing/pageBench.ts';
-import { savedFiles } from '../../testing/savedFiles.ts';
+import { savedFiles } from '../../testing/fakes.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import './sessionsDialog.ts';

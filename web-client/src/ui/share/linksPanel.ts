@@ -12,7 +12,7 @@ import './ownCopy.ts';
 import type { OwnCopyButton } from './ownCopy.ts';
 import { roleWords } from './roleWords.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { isolated } from '../../state/foreignText.ts';
+import { isolated } from '../../state/announcements.ts';
 
 /** The first is the server's, which is less for who came by a link that ends before. */
 const lifetimes = [

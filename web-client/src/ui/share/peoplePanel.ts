@@ -7,7 +7,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { roleWords } from './roleWords.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { isolated } from '../../state/foreignText.ts';
+import { isolated } from '../../state/announcements.ts';
 
 const roles: readonly Role[] = ['viewer', 'editor', 'host'];
 

@@ -2,7 +2,7 @@
 // that was refused. Over the picture, because the panel may be scrolled.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { type DatasetEntry, errorWords } from '../../protocol/messages.ts';
-import type { Announcements } from '../../state/announcements.ts';
+import { type Announcements, isolated } from '../../state/announcements.ts';
 import type { ImportWait } from '../../session/importWait.ts';
 import { velocitiesOf } from '../../session/openDataset.ts';
 import type { AppState, GoneSession } from '../../state/appState.ts';
@@ -10,7 +10,6 @@ import type { ViewState } from '../../state/viewState.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import './linkField.ts';
 import { dayWords } from '../base/timeWords.ts';
-import { isolated } from '../../state/foreignText.ts';
 
 export interface BannerModel {
     state: AppState;

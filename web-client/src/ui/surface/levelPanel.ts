@@ -10,7 +10,7 @@ import { describedRange, levelFields, levelOf } from '../../session/edits/levelF
 import { numberRow, selectRow } from '../base/rows.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Families, FamilyChoice } from '../../session/surface/families.ts';
-import { isolated } from '../../state/foreignText.ts';
+import { isolated } from '../../state/announcements.ts';
 
 const sliderSteps = 500;
 

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceKind } from '../../protocol/messages.ts';
-import { sampleStatistics } from '../../protocol/testing/sampleRecords.ts';
+import { sampleStatistics } from '../../testing/records.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
 import './surfacePanel.ts';

@@ -1,7 +1,7 @@
 // When a surface begins and ends, to be typed; of a stream surface, when its field is frozen.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Edits } from '../../session/edits/edits.ts';
-import { endOf, type TypedTime, typedFrom, typedTo } from '../../session/edits/surfaceTimes.ts';
+import { endOf, typedFrom, type TypedTime, typedTo } from '../../session/edits/surfaceTimes.ts';
 import { timeField } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import { numberField } from '../base/rows.ts';

@@ -2,7 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { BookmarkRecord } from '../../protocol/messages.ts';
 import { timeText } from '../../session/picture/writtenNumbers.ts';
-import { isolated } from '../../state/foreignText.ts';
+import { isolated } from '../../state/announcements.ts';
 import { readPageView } from '../../state/pageView.ts';
 import type { Calls } from '../../session/base/calls.ts';
 import type { ClockControl } from '../../session/time/clockControl.ts';

@@ -12,7 +12,7 @@ import type { Probing } from '../../session/tools/probing.ts';
 import type { AppState } from '../../state/appState.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { vectorFields } from '../base/rows.ts';
-import { isolated } from '../../state/foreignText.ts';
+import { isolated } from '../../state/announcements.ts';
 
 export interface ProbeModel {
     state: Pick<AppState, 'dataset' | 'surfaces'>;

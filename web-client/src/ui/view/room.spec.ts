@@ -1,6 +1,6 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, describe, expect, it, vi } from 'vitest';
-import { emptyStorage } from '../../testing/keptTexts.ts';
+import { emptyStorage } from '../../testing/fakes.ts';
 import { recallPanel, togglePanel } from './room.ts';
 
 afterEach(() => vi.unstubAllGlobals());

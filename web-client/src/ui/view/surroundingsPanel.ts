@@ -2,8 +2,7 @@
 // are meant.
 import { css, html, type TemplateResult } from 'lit';
 import { limits } from '../../protocol/generated/limits.ts';
-import type { AppState } from '../../state/appState.ts';
-import type { Units } from '../../state/units.ts';
+import type { AppState, Units } from '../../state/appState.ts';
 import type { Theme, ViewState } from '../../state/viewState.ts';
 import { type Choice, selectRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { WordSum, wordSum } from './stateSum.ts';
-import { seededRandom } from './testing/random.ts';
+import { seededRandom } from './testing/randomSurface.ts';
+import { WordSum, wordSum } from './wireMesh.ts';
 
 test('equals its definition in whole numbers without overflow', () => {
     const random = seededRandom(5);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { FakeClock } from '../testing/fakeClock.ts';
-import { Watchdog } from './watchdog.ts';
+import { FakeClock } from '../testing/fakes.ts';
+import { Watchdog } from './workerClient.ts';
 
 class Bench {
     clock = new FakeClock();
