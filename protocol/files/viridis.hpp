@@ -1,5 +1,5 @@
 // The colour map viridis (Smith, van der Walt; CC0) for files that carry colours. Near twin:
-// web-client/src/scene/surface/viridis.ts, its table of 256.
+// web-client/src/scene/surface/colourMap.ts, its table of 256.
 #pragma once
 
 #include <array>

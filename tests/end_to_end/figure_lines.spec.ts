@@ -142,7 +142,7 @@ describe('lines and words in a figure', () => {
         const places = (await placesOnEdges(page)).filter(({ hit }) => hit === 0);
         const name = (await page.locator('.labels .axis-x').boundingBox())!;
         const heights: number[] = [];
-        // A figure that is smaller still is laid out smaller, for the sake of its letters: see figureLayout.ts.
+        // A figure that is smaller still is laid out smaller, for the sake of its letters: see layoutOf in capture.ts.
         for (const scale of [1, 2]) {
             const { rgba, inFigure } = await figure(page, { scale, axes: true, bar: true, background: 'clear' });
             // Across an upright line, the parts of pixels that it covers add up to its width.

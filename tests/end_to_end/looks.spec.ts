@@ -4,7 +4,7 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { steadyRange } from '../../web-client/src/scene/surface/steadyRange.ts';
+import { steadyRange } from '../../web-client/src/scene/surface/colourMap.ts';
 import { stripePeriodPx } from '../../web-client/src/scene/surface/patternShader.ts';
 import { ask, finalSurface, openPage } from './support/browser_page.ts';
 import {

@@ -1,6 +1,6 @@
 // What the tests of looks compare: vertices that are seen, their pixels, and hues.
 import type { Page } from 'playwright-core';
-import { maskSize } from '../../../web-client/src/scene/surface/maskCode.ts';
+import { maskSize } from '../../../web-client/src/scene/surface/surfaceMask.ts';
 import type { PickHit } from '../../../web-client/src/scene/surface/pickHit.ts';
 import type { SurfaceVertex } from '../../../web-client/src/scene/surface/surfaceMesh.ts';
 import type { ScreenPoint } from '../../../web-client/src/scene/base/view.ts';

@@ -3,7 +3,7 @@
 import { Color, OrthographicCamera, Scene, WebGLRenderer } from 'three';
 import { type BodyMesh, cutLevel, type TimedMeshChange } from '../../../web-client/src/mesh/meshChange.ts';
 import { View } from '../../../web-client/src/scene/base/view.ts';
-import { Lights } from '../../../web-client/src/scene/lights.ts';
+import { Lights } from '../../../web-client/src/scene/graphics.ts';
 import { DrawnBody } from '../../../web-client/src/scene/surface/drawnBody.ts';
 import type { FlowTexture } from '../../../web-client/src/scene/surface/surfaceMaterial.ts';
 import { SurfaceLayer } from '../../../web-client/src/scene/surface/surfaceLayer.ts';

@@ -7,7 +7,7 @@ import type { BodyVertex } from '../../../web-client/src/scene/surface/drawnBody
 import type { PickGrid, PickHit } from '../../../web-client/src/scene/surface/pickHit.ts';
 import type { SurfaceVertex } from '../../../web-client/src/scene/surface/surfaceMesh.ts';
 import type { Handle } from '../../../web-client/src/scene/rake/rakeHandles.ts';
-import type { DrawnRake } from '../../../web-client/src/scene/rake/drawnRake.ts';
+import type { DrawnRake } from '../../../web-client/src/scene/rake/rakeLayer.ts';
 import type { ScriptedPage } from '../../../web-client/src/session/out/scriptedPicture.ts';
 import type { DisplayedSurface } from '../../../web-client/src/state/appState.ts';
 import type { LatencySample } from '../../../web-client/src/state/latency.ts';

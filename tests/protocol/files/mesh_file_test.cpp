@@ -242,7 +242,7 @@ TEST(MeshFile, PlyHasNormalsTextureCoordinatesAndColoursForThoseWhoShowNothingEl
         return core::Vec3(read.arrays.at("red")[v], read.arrays.at("green")[v],
                           read.arrays.at("blue")[v]);
     };
-    // The ends of the table in web-client/src/scene/surface/viridis.ts.
+    // The ends of the table in web-client/src/scene/surface/colourMap.ts.
     for (int channel = 0; channel < 3; ++channel) {
         EXPECT_NEAR(colour(0)[channel], core::Vec3(0x44, 0x01, 0x54)[channel], 4.0);
         EXPECT_NEAR(colour(7)[channel], core::Vec3(0xfd, 0xe7, 0x25)[channel], 4.0);

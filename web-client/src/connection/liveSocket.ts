@@ -178,6 +178,10 @@ export class LiveSocket {
 export const firstWaitMs = 250;
 export const longestWaitMs = 5000;
 
+/**
+ * Waits before the next attempt to connect: doubling from 250 ms to 5 s, each drawn from its upper half so that many clients of
+ * one restarted server do not return in step.
+ */
 export class BackOff {
     private failures = 0;
     private readonly random: () => number;

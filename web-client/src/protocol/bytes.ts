@@ -135,6 +135,7 @@ export function removeRuns(array: Int32Array, { all }: Runs, count: number, stri
     });
 }
 
+/** The bytes are not a frame that continues the mesh. The cure is always the same: drop the mesh and subscribe again. */
 export class FrameError extends Error {
     override readonly name = 'FrameError';
 }

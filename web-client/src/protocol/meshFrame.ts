@@ -124,8 +124,10 @@ const table = Int32Array.from({ length: 256 }, (_, byte) => {
     return remainder;
 });
 
-/** Returns the checksum of `bytes`, or of what `before` is the checksum of and `bytes` behind it;
- *  unsigned. */
+/**
+ * The checksum of a frame, CRC-32 as in zlib and PNG. Returns the checksum of `bytes`, or of what `before` is the checksum of
+ * and `bytes` behind it; unsigned.
+ */
 export function crc32(bytes: Uint8Array, before = 0): number {
     let crc = ~before;
     for (let i = 0; i < bytes.length; ++i) crc = (crc >>> 8) ^ table[(crc ^ bytes[i]!) & 0xff]!;

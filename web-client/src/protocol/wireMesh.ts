@@ -113,6 +113,10 @@ export class WireMesh {
     }
 }
 
+/**
+ * A cell as numbers: eight ids, corners 0-3, then the mids of sides 0-3, `noVertex` where there is none (in the server's
+ * unsigned numbers 0xffffffff).
+ */
 export const cellStride = 8;
 export const noVertex = -1;
 
@@ -207,7 +211,10 @@ function stir(sum: number, word: number): number {
     return Math.imul((x << 13) | (x >>> 19), 0x9e3779b1);
 }
 
-/** Sums words in any number of steps, each of which but the last adds a multiple of four. */
+/**
+ * A checksum that scripts and vector units compute fast: sums, and sums of sums, in four lanes. Sums words in any number of
+ * steps, each of which but the last adds a multiple of four.
+ */
 export class WordSum {
     private readonly sums = new Int32Array(4);
     private readonly ofSums = new Int32Array(4);

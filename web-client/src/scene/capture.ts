@@ -1,14 +1,11 @@
-// A figure: the picture at any size, with another background or none, and with the text that lies over it.
-// Drawn in the drawing buffer of the canvas, in tiles where it is large; the canvas has its own size again
-// before the browser shows it.
+// A figure: the picture at any size, with another background or none, and with the text that lies over it. Laid out in pixels of CSS, like
+// a page of its shape, so that text, lines and handles can be read however small the figure or the page is; drawn in the drawing buffer of
+// the canvas, in tiles where it is large. The canvas has its own size again before the browser shows it.
 import { Color } from 'three';
-import { type Cover, coverOf, placeOf } from './base/cover.ts';
+import { type Cover, coverOf, placeOf } from './base/labels.ts';
+import type { Layer, Part, ScreenPoint, ScreenSize } from './base/view.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
-import { paintElement } from './elementPainter.ts';
-import { barIn, layoutOf } from './figureLayout.ts';
 import type { FlowScene } from './scene.ts';
-import type { Layer, ScreenSize } from './base/view.ts';
-import { tilesOf } from './tiles.ts';
 
 /** shown: as on the page. clear: none. */
 export type FigureBackground = 'shown' | 'white' | 'clear';
@@ -163,4 +160,153 @@ function paintText(
     }
     context.restore();
     elements.forEach((element, i) => (element.style.colorScheme = schemes[i] ?? ''));
+}
+
+/** In pixels of CSS: a number of an axis, 12 of them high, has a sixtieth to a thirtieth of the height of a
+ *  figure. */
+const [lowest, tallest] = [360, 720];
+/** Less where it is narrow, so that the scalar bar, 288 wide, has room. */
+const narrowest = 360;
+/** Pixels of the figure for one of CSS, at least, so that such a number has nine. */
+const leastRatio = 0.75;
+/** Limits the bar to parts of the width and of the height; more would hide what it is about. */
+const barAtMost = { width: 0.95, height: 0.4 };
+
+export interface FigureLayout extends ScreenSize {
+    /** Pixels of the figure for one of CSS. */
+    pixelRatio: number;
+}
+
+/** @param pageHeight of the picture on the page: where it can be, a figure is as tall */
+export function layoutOf({ width, height }: ScreenSize, pageHeight: number): FigureLayout {
+    const asTall = height / Math.min(tallest, Math.max(lowest, pageHeight));
+    const pixelRatio = Math.max(leastRatio, Math.min(asTall, width / narrowest));
+    return { width: width / pixelRatio, height: height / pixelRatio, pixelRatio };
+}
+
+/** The bar's place in it, which is that on the page as far as it can be; null: there is no room. */
+export function barIn({ width, height }: ScreenSize, bar: Cover): Cover | null {
+    if (bar.width > barAtMost.width * width || bar.height > barAtMost.height * height) return null;
+    return {
+        ...bar,
+        right: Math.min(bar.right, (width - bar.width) / 2),
+        bottom: Math.min(bar.bottom, (height - bar.height) / 2),
+    };
+}
+
+/**
+ * Enough for the labels and the scalar bar: grounds, borders, canvases and text, where they are and as they are styled. No
+ * browser offers this by itself. `shift`: from the window to the picture. Elements that are skipped are so with all in them.
+ */
+export function paintElement(
+    context: CanvasRenderingContext2D,
+    element: Element,
+    shift: ScreenPoint,
+    skipped: (element: Element) => boolean,
+): void {
+    const style = getComputedStyle(element);
+    if (style.display === 'none' || style.visibility === 'hidden' || skipped(element)) return;
+    const box = element.getBoundingClientRect();
+    const at = { x: box.left + shift.x, y: box.top + shift.y };
+    paintBox(context, style, at, box);
+    if (element instanceof HTMLCanvasElement && element.width > 0 && element.height > 0) {
+        context.drawImage(element, at.x, at.y, box.width, box.height);
+    }
+    let run: Text[] = [];
+    for (const node of [...(element.shadowRoot ?? element).childNodes, null]) {
+        if (node instanceof Text) run.push(node);
+        else if (!(node instanceof Comment)) {
+            paintRun(context, run, style, shift);
+            run = [];
+            if (node instanceof Element) paintElement(context, node, shift, skipped);
+        }
+    }
+}
+
+function paintBox(context: CanvasRenderingContext2D, style: CSSStyleDeclaration, at: ScreenPoint, box: DOMRect): void {
+    const border = style.borderTopStyle === 'solid' ? parseFloat(style.borderTopWidth) : 0;
+    const inset = border / 2;
+    context.beginPath();
+    context.roundRect(
+        at.x + inset,
+        at.y + inset,
+        Math.max(0, box.width - border),
+        Math.max(0, box.height - border),
+        Math.max(0, (parseFloat(style.borderTopLeftRadius) || 0) - inset),
+    );
+    if (!isClear(style.backgroundColor)) {
+        context.fillStyle = style.backgroundColor;
+        context.fill();
+    }
+    if (border > 0 && !isClear(style.borderTopColor)) {
+        context.strokeStyle = style.borderTopColor;
+        context.lineWidth = border;
+        context.stroke();
+    }
+}
+
+/** Neighbours are one text: templates leave comments between their parts. */
+function paintRun(context: CanvasRenderingContext2D, run: readonly Text[], style: CSSStyleDeclaration, shift: ScreenPoint): void {
+    const words = run
+        .map(({ data }) => data)
+        .join('')
+        .replace(/\s+/g, ' ')
+        .trim();
+    if (words === '') return;
+    const range = document.createRange();
+    range.setStartBefore(run[0]!);
+    range.setEndAfter(run.at(-1)!);
+    const box = range.getBoundingClientRect();
+    if (box.width === 0) return;
+    context.font = `${style.fontStyle} ${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+    context.fillStyle = style.color;
+    context.textBaseline = 'middle';
+    context.textAlign = 'left';
+    context.fillText(words, box.left + shift.x, box.top + box.height / 2 + shift.y);
+}
+
+function isClear(colour: string): boolean {
+    return colour === 'transparent' || /[,/]\s*0\)$/.test(colour);
+}
+
+export interface Tile {
+    /** Holds what is drawn. */
+    drawn: Part;
+    /** Holds what of it is taken. */
+    kept: Part;
+}
+
+/**
+ * Parts that cover each pixel of the picture once, each drawn with a margin in which whatever begins outside of it and reaches
+ * into it has room. All are drawn equally large, at most `side` pixels a side; even offsets keep differences between
+ * neighbouring pixels the same. A margin of more than a quarter of a tile is cut down to that: tiles that were little but
+ * margin would be too many. REQUIRES: side >= 8
+ */
+export function tilesOf({ width, height }: ScreenSize, side: number, margin: number): Tile[] {
+    const edge = 2 * Math.ceil(Math.floor(Math.min(margin, side / 4)) / 2);
+    const columns = stretchesOf(width, side, edge);
+    return stretchesOf(height, side, edge).flatMap((row) =>
+        columns.map((column) => ({
+            drawn: { x: column.drawn, y: row.drawn, width: column.drawnLength, height: row.drawnLength },
+            kept: { x: column.kept, y: row.kept, width: column.keptLength, height: row.keptLength },
+        })),
+    );
+}
+
+interface Stretch {
+    drawn: number;
+    drawnLength: number;
+    kept: number;
+    keptLength: number;
+}
+
+/** Divides one side of the picture. */
+function stretchesOf(length: number, side: number, edge: number): Stretch[] {
+    if (length <= side) return [{ drawn: 0, drawnLength: length, kept: 0, keptLength: length }];
+    const count = Math.ceil(length / (2 * Math.floor((side - 2 * edge) / 2)));
+    const step = 2 * Math.ceil(length / count / 2);
+    return Array.from({ length: Math.ceil(length / step) }, (_, i) => ({
+        ...{ drawn: i * step - edge, drawnLength: step + 2 * edge },
+        ...{ kept: i * step, keptLength: Math.min(step, length - i * step) },
+    }));
 }

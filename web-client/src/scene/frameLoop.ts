@@ -1,5 +1,6 @@
-// Draws when something changed and not otherwise: one animation frame for any number of requests, and
-// the next one only when the GPU has finished the last. A queue of frames would be a queue of delays.
+// When a picture is drawn, and how sharp: when something changed and not otherwise, one animation frame for any number of requests, and the
+// next one only when the GPU has finished the last, since a queue of frames would be a queue of delays. While things move it is rather
+// quick than sharp; what stands still is worth the time.
 
 /** @param finished to be called when it is done, or will not come @param changed false: only a better picture
  *  is wanted */
@@ -53,5 +54,177 @@ export class FrameLoop {
             this.drawing = false;
             if (this.requested) this.schedule(this.frame);
         }, changed);
+    };
+}
+
+/**
+ * Submitting a frame returns at once, so a latency taken without this would leave out the drawing itself. Calls back with
+ * performance.now() at the moment all commands up to now are done, or with null when they never will be: the context is lost.
+ */
+export function whenDrawn(gl: WebGL2RenderingContext, done: (time: number | null) => void): void {
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (fence === null) {
+        done(null);
+        return;
+    }
+    gl.flush();
+    const poll = (): void => {
+        const status = gl.isContextLost() ? gl.WAIT_FAILED : gl.clientWaitSync(fence, 0, 0);
+        if (status === gl.TIMEOUT_EXPIRED) {
+            setTimeout(poll, 1);
+            return;
+        }
+        gl.deleteSync(fence);
+        done(status === gl.WAIT_FAILED ? null : performance.now());
+    };
+    poll();
+}
+
+/** So long after the last picture or touch nothing moves any more. */
+export const restMs = 150;
+
+/** Surfaces that change as often are played, or dragged by a user. */
+const flowMs = 1000;
+
+/** Whether things move in the picture. Times are those of performance.now(). */
+export class Movement {
+    private held = false;
+    private last = Number.NEGATIVE_INFINITY;
+    private changed = Number.NEGATIVE_INFINITY;
+
+    /** A hand has taken hold of something in the picture, or let it go. */
+    hold(held: boolean): void {
+        this.held = held;
+    }
+
+    /** Something has been pushed, as the camera by a key or a wheel; more of that is likely to come. */
+    stir(now: number): void {
+        this.last = Math.max(this.last, now);
+    }
+
+    /** A surface is another now; the next picture shows it. */
+    surfaceChanged(now: number): void {
+        if (now - this.changed < flowMs) this.stir(now);
+        this.changed = now;
+    }
+
+    /** A picture is on the screen. One alone is no movement; one that follows it closely is. */
+    drawn(now: number): void {
+        this.stir(now);
+    }
+
+    /** Returns whether a picture that begins now is one of a movement. */
+    at(now: number): boolean {
+        return this.held || now - this.last < restMs;
+    }
+}
+
+/** Pixels drawn for one of CSS, along one side: below this nothing can be made out any more. */
+export const leastRatio = 0.35;
+
+/** A picture takes at most so long; the rest of 1/15 s goes by until the browser asks for the next one. */
+export const limitMs = 50;
+const shortMs = 0.4 * limitMs;
+/** A single late picture says nothing. */
+const slowPictures = 3;
+const quickPictures = 8;
+
+/**
+ * How sharp the picture is while things move: as sharp as it can be drawn in the time that 15 pictures a second leave, by what
+ * the last ones took. Halves the pixels where they took too long; doubles them only where twice the time is still within the
+ * limit, so that it does not go to and fro.
+ */
+export class MovingResolution {
+    private readonly full: number;
+    private readonly lastStep: number;
+    /** Each halves the pixels. */
+    private step: number;
+    private took: number[] = [];
+
+    /** @param full ratio of a picture that stands still @param first ratio to begin with, until there are
+     *  measurements */
+    constructor(full: number, first: number) {
+        this.full = full;
+        this.lastStep = Math.max(0, Math.floor(2 * Math.log2(full / leastRatio)));
+        this.step = Math.min(this.lastStep, Math.max(0, Math.round(2 * Math.log2(full / first))));
+    }
+
+    get ratio(): number {
+        return this.full * 2 ** (-this.step / 2);
+    }
+
+    /** A picture of this resolution was on the screen so many milliseconds after it was begun. */
+    drawn(ms: number): void {
+        this.took.push(ms);
+        if (this.took.length >= slowPictures && median(this.took.slice(-slowPictures)) > limitMs) this.goTo(this.step + 1);
+        else if (this.took.length >= quickPictures) {
+            if (median(this.took) < shortMs) this.goTo(this.step - 1);
+            else this.took.shift();
+        }
+    }
+
+    private goTo(step: number): void {
+        this.step = Math.min(this.lastStep, Math.max(0, step));
+        this.took = [];
+    }
+}
+
+function median(values: readonly number[]): number {
+    const sorted = [...values].sort((a, b) => a - b);
+    return sorted[Math.floor(sorted.length / 2)] ?? 0;
+}
+
+/** Works like setTimeout and clearTimeout. */
+export interface Timers {
+    set(act: () => void, ms: number): unknown;
+    clear(timer: unknown): void;
+}
+
+const browserTimers: Timers = {
+    set: (act, ms) => setTimeout(act, ms),
+    clear: (timer) => clearTimeout(timer as ReturnType<typeof setTimeout>),
+};
+
+/** Notices, once, when nothing has been drawn for a while and nothing is held: time for a picture that takes longer. */
+export class Stillness {
+    private readonly reached: () => void;
+    private readonly restMs: number;
+    private readonly timers: Timers;
+    private pending: unknown = null;
+    /** The last picture could be better. */
+    private worth = false;
+    private held = false;
+    private waitMs = 0;
+
+    /** @param restMs how long a while is */
+    constructor(reached: () => void, restMs: number, timers: Timers = browserTimers) {
+        this.reached = reached;
+        this.restMs = restMs;
+        this.timers = timers;
+    }
+
+    /** Something has been drawn that is worth a better picture, or is not. @param atLeastMs longer than
+     *  usual, if need be */
+    drawn(worth: boolean, atLeastMs = 0): void {
+        this.worth = worth;
+        this.waitMs = Math.max(this.restMs, atLeastMs);
+        this.wait();
+    }
+
+    /** A hand that rests may move on at any moment, and must not find that picture under way. */
+    hold(held: boolean): void {
+        if (held === this.held) return;
+        this.held = held;
+        this.wait();
+    }
+
+    private wait(): void {
+        if (this.pending !== null) this.timers.clear(this.pending);
+        this.pending = this.worth && !this.held ? this.timers.set(this.end, this.waitMs) : null;
+    }
+
+    private readonly end = (): void => {
+        this.pending = null;
+        this.reached();
     };
 }

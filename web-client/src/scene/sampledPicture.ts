@@ -11,10 +11,10 @@ import {
     Scene,
     type Texture,
     Vector2,
-    WebGLRenderTarget,
     type WebGLRenderer,
+    WebGLRenderTarget,
 } from 'three';
-import { fullScreen } from './surface/fullScreen.ts';
+import { fullScreen } from './surface/renderPasses.ts';
 
 /** Where in a pixel it is looked at, from its middle, in pixels: no two in one row or one column, and the
  *  mean is the middle. */

@@ -252,6 +252,7 @@ export function withoutEntry<V>(map: ReadonlyMap<string, V>, key: string): Map<s
     return copy;
 }
 
+/** Names of units, which are written and never computed with. */
 export interface Units {
     length: string;
     time: string;

@@ -158,7 +158,7 @@ export function decodeLook(value: unknown): SurfaceLook {
     return { ...usualLook, ...Object.fromEntries(given) };
 }
 
-/** Is the range of one field, on some surfaces. */
+/** What colours stand for where no user has said it. Is the range of one field, on some surfaces. */
 export interface AutomaticRange extends Omit<ValueRange, 'attribute'> {
     surfaces: number;
 }

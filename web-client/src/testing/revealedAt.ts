@@ -1,6 +1,5 @@
 // Says what a painted mask shows at a place of its surface, as the shader looks it up.
-import { maskSize } from '../scene/surface/maskCode.ts';
-import type { SurfaceMask } from '../scene/surface/surfaceMask.ts';
+import { maskSize, type SurfaceMask } from '../scene/surface/surfaceMask.ts';
 
 export function revealedAt({ texels, tStart, tLength }: SurfaceMask, s: number, t: number): boolean {
     const texelOf = (part: number): number => Math.min(maskSize - 1, Math.max(0, Math.floor(part * maskSize)));

@@ -210,6 +210,10 @@ export class SurfaceFolder {
 export const everySurface: readonly string[] = ['speed', 's', 't'];
 const epochsKept = 8;
 
+/**
+ * The names of the attributes in a surface's frames, which carry numbers alone: they depend on the fields that the surface had
+ * at their epoch.
+ */
 export class AttributeNames {
     private readonly known = new Map<string, Map<number, readonly string[]>>();
 

@@ -126,7 +126,7 @@ const deepest = 0.75;
 const steps = Array.from({ length: 12 }, (_, i) => (i % 2 === 0 ? 0.6 : -0.63));
 const cuts = 4;
 
-/** Lies along the torn border, and is smoothed there. */
+/** A smooth line along the torn border of a surface, within its outermost cells. Lies along the torn border, and is smoothed there. */
 export class BorderCord {
     private readonly surface: TornSurface;
     /** Vertices on the border; arrays go by their place here. */

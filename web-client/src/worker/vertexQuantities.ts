@@ -2,8 +2,8 @@
 // resolve.
 
 /**
- * Fills `normals`, which are 0, for the vertices from `from` on; `indices` are those of the whole mesh.
- * Vertices without area stay 0.
+ * Each vertex gets the mean of its triangles' normals, weighted by area. Fills `normals`, which are 0, for the vertices from
+ * `from` on; `indices` are those of the whole mesh. Vertices without area stay 0.
  */
 export function addNormals(positions: Float32Array, indices: Uint32Array, from: number, normals: Float32Array): void {
     for (let i = 0; i < indices.length; i += 3) {
@@ -50,7 +50,8 @@ function normalise(normals: Float32Array, at: number): void {
 }
 
 /**
- * Two a vertex; 0 where the parameter does not change.
+ * What even distances are measured by (core/surface/even_lines, lengths_per_unit): at a vertex the inverse of the gradient's
+ * mean over its triangles. Two a vertex; 0 where the parameter does not change.
  * @param seeds s and t in turns. @param closed beside the last column of the rake lies its first
  */
 export function unitLengths(
@@ -120,8 +121,13 @@ export interface Triangles {
 /** Is the value of half a square: 4 (1/2) / (sqrt 3 sqrt 2). */
 const halfSquare = Math.sqrt(2 / 3);
 
-/** Two a vertex: what shape takes away, the mean over its triangles by their area; the sine of how far sides
- *  there leave its plane. */
+/**
+ * What smoke hides of a surface (after von Funck, Weinkauf, Theisel, Seidel, Smoke Surfaces, 2008). Of a triangle of area A
+ * with sides a, b, c the paper's factor of shape is 4 A / (sqrt 3 max(ab, bc, ca)), 1 where they are equal; here it is counted
+ * from half a square, which a grid begins with. Its factor of curvature falls with the greatest |n . e| / |e| of a vertex with
+ * normal n, over the sides e that meet there. Two a vertex: what shape takes away, the mean over its triangles by their area;
+ * the sine of how far sides there leave its plane.
+ */
 export function unresolved({ positions, normals, indices, vertices }: Triangles): Float32Array {
     const found = new Float32Array(2 * vertices);
     const areas = new Float32Array(vertices);

@@ -1,5 +1,5 @@
-// Writes numbers, wherever the page does. What has a place in a range, as a coordinate or a time, is written
-// as finely as the range and the step ask for, however large it is; what is a size of its own, as a speed,
+// Numbers as the page writes them, the round ones of an axis, and the tolerance at the end of a range. What has a place in a range, as a
+// coordinate or a time, is written as finely as the range and the step ask for, however large it is; what is a size of its own, as a speed,
 // with four digits.
 
 const minus = '\u2212';
@@ -142,4 +142,48 @@ function withoutSign(text: string): string {
     const size = Math.abs(Number(text));
     // Round thousands read better by their power.
     return size >= mostWhole ? exponential(size, typedDigits) : text.replace(/^-/, '');
+}
+
+export interface Tick {
+    value: number;
+    label: string;
+}
+
+export interface Ticks {
+    ticks: readonly Tick[];
+    /** Holds what all labels share, said once: `×1e−6`, `+5.423e6`. Empty: nothing. */
+    shared: string;
+}
+
+/**
+ * Round steps of 1, 2 or 5 times a power of ten. Ticks inside [low, high], about `wanted` of them, all with the same number of
+ * decimals.
+ */
+export function niceTicks(low: number, high: number, wanted: number): Ticks {
+    if (!Number.isFinite(low) || !Number.isFinite(high) || !(high > low)) return { ticks: [], shared: '' };
+    const step = niceStep((high - low) / Math.max(1, wanted));
+    const { shared, label } = labelForm(low, high, step);
+    const first = Math.ceil(low / step - 1e-9);
+    const last = Math.floor(high / step + 1e-9);
+    const ticks: Tick[] = [];
+    for (let i = first; i <= last; ++i) ticks.push({ value: i * step, label: label(i * step) });
+    return { ticks, shared };
+}
+
+/** The number of the form 1, 2 or 5 times 10^n nearest above or at `rough` within rounding. */
+export function niceStep(rough: number): number {
+    const exponent = Math.floor(Math.log10(rough));
+    const mantissa = rough / 10 ** exponent;
+    const digit = [1, 2, 5].find((each) => mantissa <= each * 1.000001) ?? 10;
+    // As it would be typed: powers of ten below one are no exact numbers.
+    return Number(`${digit}e${exponent}`);
+}
+
+/**
+ * core/base/rounding.hpp gives the reason, and is the same for the server. Returns how far beyond an end of a range a number
+ * still means that end.
+ */
+export function rounding(low: number, high: number): number {
+    const roundings = 2 ** -22 * Math.max(Math.abs(low), Math.abs(high));
+    return high > low ? Math.min(roundings, 1e-5 * (high - low)) : roundings;
 }

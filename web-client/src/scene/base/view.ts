@@ -13,6 +13,12 @@ export interface ScreenSize {
     height: number;
 }
 
+/** A part of a picture, in its pixels; may reach beyond it. */
+export interface Part extends ScreenSize {
+    x: number;
+    y: number;
+}
+
 export type SceneCamera = PerspectiveCamera | OrthographicCamera;
 
 /** Describes what is drawn beside the surfaces: brought in line with camera and canvas before every frame. */

@@ -1,6 +1,7 @@
+import { PerspectiveCamera } from 'three';
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { CameraControls } from './cameraControls.ts';
+import { CameraControls, FineOrbit } from './cameraControls.ts';
 
 const length = (v: Vec3): number => Math.hypot(...v);
 const between = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -127,4 +128,27 @@ describe('a picture of another shape', () => {
         controls.resized(2);
         expect(controls.pose.position[1]).toBeCloseTo(-9, 6);
     });
+});
+
+describe('FineOrbit', () => {
+    it.each([4e-5, 1, 3e6])(
+        'tells of movements as small as they are seen in a domain of %d, and of none that is none',
+        (scale) => {
+            const camera = new PerspectiveCamera();
+            camera.position.set(0, -3 * scale, scale);
+            const orbit = new FineOrbit(camera);
+            orbit.update();
+            let changes = 0;
+            orbit.addEventListener('change', () => ++changes);
+            for (let i = 0; i < 5; ++i) expect(orbit.update()).toBe(false);
+            expect(changes).toBe(0);
+            // As panning does.
+            camera.position.x += 0.01 * scale;
+            orbit.target.x += 0.01 * scale;
+            expect(orbit.update()).toBe(true);
+            expect(changes).toBe(1);
+            expect(orbit.update()).toBe(false);
+            expect(changes).toBe(1);
+        },
+    );
 });

@@ -1,11 +1,10 @@
 // The camera: orbit, pan and zoom with the mouse, in perspective or without; views that show the whole
 // domain.
 import { OrthographicCamera, PerspectiveCamera, Quaternion, Spherical, Vector3 } from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type Bounds, centreOf } from '../domain/domainAxes.ts';
 import type { SceneCamera } from '../base/view.ts';
-import { FineOrbit } from './fineOrbit.ts';
-import { diagonal, fittingDistance } from './fitting.ts';
+import { type Bounds, centreOf } from '../domain/domainAxes.ts';
 
 /** From the domain towards the camera; oblique: as shows most of it. */
 export type ViewName = 'oblique' | 'x' | 'y' | 'z' | '-x' | '-y' | '-z';
@@ -272,4 +271,61 @@ export class CameraControls {
         // Nothing of the domain may be cut off because the camera is near it.
         parallel.near = -10 * size;
     }
+}
+
+/** Is a part of the distance to the target: far less than a pixel. */
+const leastMovement = 1e-6;
+
+/**
+ * Orbit controls for domains of any size: three's own tell of no movement shorter than a thousandth of a unit, which in a
+ * domain of micrometres is every one, so that nothing would be drawn again.
+ */
+export class FineOrbit extends OrbitControls {
+    /** Not there while three's constructor runs. */
+    private told?: { position: Vector3; target: Vector3 };
+
+    override update(deltaTime?: number | null): boolean {
+        const changed = super.update(deltaTime);
+        const { position } = this.object;
+        const { target } = this;
+        this.told ??= { position: new Vector3(Infinity), target: new Vector3() };
+        const least = leastMovement * position.distanceTo(target);
+        const moved = this.told.position.distanceTo(position) > least || this.told.target.distanceTo(target) > least;
+        if (!changed && !moved) return false;
+        this.told.position.copy(position);
+        this.told.target.copy(target);
+        if (!changed) this.dispatchEvent({ type: 'change' });
+        return true;
+    }
+}
+
+/** The part of the picture that the domain fills; the rest is room for the numbers. */
+const filled = 0.84;
+
+export function diagonal(bounds: Bounds): number {
+    return Math.hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
+}
+
+/** The nearest distance of the camera from the centre at which every corner is in the picture. */
+export function fittingDistance(bounds: Bounds, towards: Vector3, camera: PerspectiveCamera): number {
+    const right = new Vector3().crossVectors(camera.up, towards).normalize();
+    const above = new Vector3().crossVectors(towards, right);
+    const tangentY = Math.tan((camera.fov * Math.PI) / 360) * filled;
+    const tangentX = tangentY * camera.aspect;
+    const centre = new Vector3(...centreOf(bounds));
+    let distance = 0;
+    for (let corner = 0; corner < 8; ++corner) {
+        const offset = new Vector3(
+            bounds[corner & 1] ?? 0,
+            bounds[2 + ((corner >> 1) & 1)] ?? 0,
+            bounds[4 + ((corner >> 2) & 1)] ?? 0,
+        ).sub(centre);
+        const depth = offset.dot(towards);
+        distance = Math.max(
+            distance,
+            depth + Math.abs(offset.dot(right)) / tangentX,
+            depth + Math.abs(offset.dot(above)) / tangentY,
+        );
+    }
+    return distance;
 }

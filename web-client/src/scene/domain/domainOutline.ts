@@ -3,10 +3,9 @@
 import type { Color, Object3D } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type AxisEdge, type Bounds, boxEdges, centreOf, edgesBeforeBox, keptIn, labelledEdges } from './domainAxes.ts';
-import { Labels } from '../base/labels.ts';
-import { type Cover, isCovered } from '../base/cover.ts';
+import { type Cover, isCovered, Labels } from '../base/labels.ts';
 import type { Layer, ScreenPoint, ScreenSize, View } from '../base/view.ts';
-import { niceTicks } from '../base/ticks.ts';
+import { niceTicks } from '../base/numbers.ts';
 import { tintOf, WideLines } from '../base/wideLines.ts';
 
 const axisNames = ['x', 'y', 'z'];

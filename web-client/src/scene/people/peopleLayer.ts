@@ -1,12 +1,10 @@
-// The others in the picture: where they look from, as the lines of their camera, and what they point at, each
-// in their colour and with their name.
-import { Color, Group, Mesh, MeshBasicMaterial, SphereGeometry } from 'three';
-import type { Participant, Vec3 } from '../../protocol/messages.ts';
+// The others in the picture: where they look from, as the lines of their camera, and what they point at, each in their colour and with
+// their name; at the edge of the picture, on the way there from the middle, for what lies outside it.
+import { Color, Group, Mesh, MeshBasicMaterial, SphereGeometry, Vector3 } from 'three';
+import type { CameraPlace, Participant, Vec3 } from '../../protocol/messages.ts';
 import { Labels } from '../base/labels.ts';
-import type { Layer, View } from '../base/view.ts';
+import type { Layer, ScreenPoint, View } from '../base/view.ts';
 import { tintOf, WideLines } from '../base/wideLines.ts';
-import { arrowTowards, edgeHint } from './edgeHint.ts';
-import { frustumSegments, looksFromHere } from './frustum.ts';
 
 const pointerRadiusPx = 6;
 const nameGapPx = 14;
@@ -119,4 +117,107 @@ export class PeopleLayer implements Layer {
         const label = this.labels.place({ x: seen.x, y: seen.y - nameGapPx }, name, 'person');
         label.style.borderColor = colour;
     }
+}
+
+/** Says how far its far side is, as a share of the way to the target. */
+const reach = 0.25;
+const aspect = 1.6;
+const openingWithoutPerspective = 12;
+
+/** Returns whether a camera is where the view's own is: its lines would be a frame round the picture. */
+export function looksFromHere(view: View, { position, target }: CameraPlace): boolean {
+    const reachOfEye = new Vector3(...position).distanceTo(new Vector3(...target));
+    return new Vector3(...position).distanceTo(view.camera.position) < 0.02 * reachOfEye;
+}
+
+/**
+ * The lines of a camera in space: from the eye to the corners of what it looks at, a quarter of the way there. Eight segments,
+ * two points each.
+ */
+export function frustumSegments({ position, target, up, fov }: CameraPlace): Vec3[] {
+    const eye = new Vector3(...position);
+    const ahead = new Vector3(...target).sub(eye);
+    const depth = ahead.length() * reach;
+    if (!(depth > 0)) return [];
+    ahead.normalize();
+    const right = new Vector3().crossVectors(ahead, new Vector3(...up));
+    // Looking along `up` there is no right: any will do.
+    if (right.lengthSq() < 1e-12) right.crossVectors(ahead, new Vector3(1, 0, 0));
+    right.normalize();
+    const above = new Vector3().crossVectors(right, ahead);
+    const half = depth * Math.tan(((fov ?? openingWithoutPerspective) * Math.PI) / 360);
+    const corners = (
+        [
+            [-1, -1],
+            [1, -1],
+            [1, 1],
+            [-1, 1],
+        ] as const
+    ).map(([x, y]) =>
+        eye
+            .clone()
+            .addScaledVector(ahead, depth)
+            .addScaledVector(right, x * half * aspect)
+            .addScaledVector(above, y * half),
+    );
+    const segments: Vec3[] = [];
+    corners.forEach((corner, i) => {
+        const next = corners[(i + 1) % corners.length]!;
+        segments.push(position, corner.toArray(), corner.toArray(), next.toArray());
+    });
+    return segments;
+}
+
+/** Says how far from the edges, in CSS pixels. */
+export interface Insets {
+    left: number;
+    right: number;
+    top: number;
+    bottom: number;
+}
+
+export interface EdgeHint {
+    at: ScreenPoint;
+    /** Says how far along what the insets leave, from the left and from the top: words held there by the same
+     *  share of theirs lie in it. */
+    share: ScreenPoint;
+    /** On the screen, to the right and down; of length 1. */
+    towards: ScreenPoint;
+}
+
+/**
+ * The shortest turn for what is behind the camera. Null for what is in the picture. REQUIRES: the middle of the picture lies
+ * between the insets.
+ */
+export function edgeHint(view: View, point: Vec3, { left, right, top, bottom }: Insets): EdgeHint | null {
+    const { width, height } = view.size;
+    const middle = { x: width / 2, y: height / 2 };
+    const seen = view.project(point);
+    if (seen !== null && seen.x >= 0 && seen.x <= width && seen.y >= 0 && seen.y <= height) return null;
+    const towards = seen === null ? turnTo(view, point) : unit(seen.x - middle.x, seen.y - middle.y);
+    const reach = Math.min(
+        (middle.x - (towards.x < 0 ? left : right)) / Math.max(Math.abs(towards.x), 1e-9),
+        (middle.y - (towards.y < 0 ? top : bottom)) / Math.max(Math.abs(towards.y), 1e-9),
+    );
+    const at = { x: middle.x + reach * towards.x, y: middle.y + reach * towards.y };
+    const share = { x: (at.x - left) / (width - left - right), y: (at.y - top) / (height - top - bottom) };
+    return { at, share, towards };
+}
+
+/** Behind the camera nothing is projected: which way to turn says where it is beside the line of sight. */
+function turnTo(view: View, point: Vec3): ScreenPoint {
+    const { x, y } = new Vector3(...point).applyMatrix4(view.camera.matrixWorldInverse);
+    return unit(x, -y);
+}
+
+/** Exactly behind, any turn is as short: downwards. */
+function unit(x: number, y: number): ScreenPoint {
+    const length = Math.hypot(x, y);
+    return length > 1e-9 ? { x: x / length, y: y / length } : { x: 0, y: 1 };
+}
+
+/** The arrow of eight that points there best. */
+export function arrowTowards({ x, y }: ScreenPoint): string {
+    const eighth = Math.round((Math.atan2(y, x) * 4) / Math.PI);
+    return '→↘↓↙←↖↑↗'[(eighth + 8) % 8]!;
 }

@@ -15,7 +15,7 @@ import {
 import type { Vec3 } from '../../protocol/messages.ts';
 import { isOrthographic, type View } from '../base/view.ts';
 import type { Handle } from './rakeHandles.ts';
-import { distance } from './vec3.ts';
+import { distance } from './rakeShape.ts';
 
 /** Holds what a handle looks like. */
 const marks = { point: 0, middle: 1, rotate: 2, tilt: 3, dot: 4 } as const;

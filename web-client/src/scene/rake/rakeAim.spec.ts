@@ -3,10 +3,9 @@ import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { View } from '../base/view.ts';
 import { dropLine, RakeAim } from './rakeAim.ts';
-import { beginDrag, dragged } from './rakeDrag.ts';
+import { type Axis, beginDrag, dragged, unitAxis } from './rakeDrag.ts';
 import type { RakeLayer } from './rakeLayer.ts';
 import type { RakeShape } from './rakeShape.ts';
-import { type Axis, unitAxis } from './snapping.ts';
 
 const line: RakeShape = {
     kind: 'line',

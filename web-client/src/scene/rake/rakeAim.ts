@@ -8,9 +8,8 @@ import { type HandleSprite, HandleSprites } from './handleSprites.ts';
 import { RakeCurve } from './rakeCurve.ts';
 import { type Handle, handlesOf } from './rakeHandles.ts';
 import { axisColours, type RakeLayer } from './rakeLayer.ts';
-import { middleOf, type RakeShape } from './rakeShape.ts';
-import { type Axis, unitAxis } from './snapping.ts';
-import { distance, plus, times } from './vec3.ts';
+import { distance, middleOf, plus, type RakeShape, times } from './rakeShape.ts';
+import { type Axis, unitAxis } from './rakeDrag.ts';
 
 const arrowPx = 78;
 /** Clear of the handle it starts at. */

@@ -14,7 +14,7 @@ import {
 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { isOrthographic, type View } from '../base/view.ts';
-import { distance } from './vec3.ts';
+import { distance } from './rakeShape.ts';
 
 // Lifted towards the eye, so that the surface that starts here does not hide half of it. What is behind the
 // eye has no place on the screen and is cut off just before. Half a width further at both ends fills the gaps

@@ -2,11 +2,9 @@ import { OrthographicCamera, PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { type SceneCamera, type ScreenPoint, View } from '../base/view.ts';
-import { beginDrag, dragged, type Dragged, type Snap } from './rakeDrag.ts';
+import { alongAxis, beginDrag, dragged, type Dragged, nearestAxis, onGrid, type Snap, unitAxis } from './rakeDrag.ts';
 import { type Handle, handleUnder, hitRadiusPx, placedHandles, positionOf } from './rakeHandles.ts';
-import { circleOf, circleShape, middleOf, type RakeShape } from './rakeShape.ts';
-import { alongAxis, nearestAxis, onGrid, unitAxis } from './snapping.ts';
-import { distance, dot, minus } from './vec3.ts';
+import { circleOf, circleShape, distance, dot, middleOf, minus, type RakeShape } from './rakeShape.ts';
 
 const size = { width: 640, height: 360 };
 

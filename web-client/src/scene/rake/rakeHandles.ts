@@ -1,8 +1,7 @@
 // Which handles a rake has, where they are, and which of them is under the pointer.
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { ScreenPoint, View } from '../base/view.ts';
-import { curveOf, middleOf, type RakeShape } from './rakeShape.ts';
-import { between, plus, times } from './vec3.ts';
+import { between, curveOf, middleOf, plus, type RakeShape, times } from './rakeShape.ts';
 
 /** Index of a point of the rake, the handle that moves all of them, or the one that turns them about their
  *  middle. */

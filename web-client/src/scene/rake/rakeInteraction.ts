@@ -1,15 +1,15 @@
-// Pointer and keyboard on the rakes: handles of the chosen one are dragged, others are chosen by a click, and
-// a point can be put where the next click is, for those who cannot drag.
+// Pointer and keyboard on the rakes: handles of the chosen one are dragged, others are chosen by a click, and a point can be put where the
+// next click is or where typed numbers say, for those who cannot drag.
 import type { Vec3 } from '../../protocol/messages.ts';
+import { rounding } from '../base/numbers.ts';
 import type { Pointer, PointerTool } from '../base/pointerTools.ts';
 import type { ScreenPoint, View } from '../base/view.ts';
-import { beginDrag, type Drag, type Dragged, dragged, type Snap, towardsViewer } from './rakeDrag.ts';
-import { gripOf, type Handle } from './rakeHandles.ts';
+import type { Bounds } from '../domain/domainAxes.ts';
 import type { RakeAim } from './rakeAim.ts';
+import { type Axis, beginDrag, type Drag, type Dragged, dragged, onGrid, type Snap, towardsViewer } from './rakeDrag.ts';
+import { gripOf, type Handle } from './rakeHandles.ts';
 import type { RakeLayer } from './rakeLayer.ts';
-import { type RakeShape, resized, tilted, translated, turnedBy, withPoint } from './rakeShape.ts';
-import { type Axis, onGrid } from './snapping.ts';
-import { minus, plus } from './vec3.ts';
+import { fitted, minus, plus, type RakeShape, resized, tilted, translated, turnedBy, withPoint } from './rakeShape.ts';
 
 /** `movedAt` is the time of the pointer or key event, on the clock of performance.now(). */
 export interface RakeMove {
@@ -234,4 +234,42 @@ export function movedHandle(shape: RakeShape, handle: Handle, by: Vec3): RakeSha
     const to = plus(shape.points[handle] ?? [0, 0, 0], by);
     if (shape.kind !== 'circle') return withPoint(shape, handle, to);
     return handle === 1 ? resized(shape, to) : tilted(shape, to);
+}
+
+export interface TypedPoint {
+    shape: RakeShape;
+    /** Where the coordinate is now, if that is not what was typed. */
+    stoppedAt: number | null;
+}
+
+/** A coordinate outside the domain stops at its edge alone: the others stay, where a rake that is clipped would move along itself. */
+export function withCoordinate(shape: RakeShape, handle: Handle, axis: Axis, typed: number, bounds: Bounds): TypedPoint {
+    const moved = movedTo(shape, handle, axis, typed, bounds);
+    const at = coordinateOf(moved, handle, axis);
+    const slack = rounding(bounds[2 * axis]!, bounds[2 * axis + 1]!);
+    return { shape: moved, stoppedAt: Math.abs(at - typed) > slack ? at : null };
+}
+
+function movedTo(shape: RakeShape, handle: Handle, axis: Axis, typed: number, bounds: Bounds): RakeShape {
+    const [low, high] = [bounds[2 * axis]!, bounds[2 * axis + 1]!];
+    const kept = Math.min(high, Math.max(low, typed));
+    if (shape.kind !== 'circle' && typeof handle === 'number') {
+        // As typed, not as before plus the difference.
+        const points = shape.points.map((point, i) => (i === handle ? (point.with(axis, kept) as typeof point) : point));
+        return { kind: shape.kind, points };
+    }
+    const before = coordinateOf(shape, handle, axis);
+    let by = kept - before;
+    if (shape.kind !== 'circle') {
+        // The whole rake moves, as far as all of it stays inside.
+        const along = shape.points.map((point) => point[axis]);
+        by = Math.max(Math.min(0, low - Math.min(...along)), Math.min(Math.max(0, high - Math.max(...along)), by));
+    }
+    const shift: [number, number, number] = [0, 0, 0];
+    shift[axis] = by;
+    return fitted(movedHandle(shape, handle, shift), bounds);
+}
+
+function coordinateOf(shape: RakeShape, handle: Handle, axis: Axis): number {
+    return (typeof handle === 'number' ? shape.points[handle] : gripOf(shape))?.[axis] ?? 0;
 }

@@ -5,18 +5,22 @@ import {
     circleOf,
     circleShape,
     curveOf,
+    distance,
+    dot,
     fitted,
+    lengthOf,
     middleOf,
+    minus,
     normalOf,
     type RakeShape,
     resized,
     tilted,
     translated,
     turnedBy,
+    unit,
     withoutPoint,
     withPointAfter,
 } from './rakeShape.ts';
-import { distance, dot, lengthOf, minus, unit } from './vec3.ts';
 
 const line: RakeShape = {
     kind: 'line',

@@ -1,5 +1,13 @@
 import { describe, expect, it } from 'vitest';
-import { colourMapNames, type ColourMapName, colourTable, drawnRange, fractionOf } from './colourMap.ts';
+import {
+    type ColourMapName,
+    colourMapNames,
+    colourTable,
+    colourTicks,
+    drawnRange,
+    fractionOf,
+    steadyRange,
+} from './colourMap.ts';
 
 const linear = (c: number): number => (c <= 0.04045 * 255 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);
 
@@ -95,5 +103,54 @@ describe('fractionOf', () => {
 
     it('does not divide by an empty range', () => {
         expect(fractionOf(5, [2, 2])).toBe(0);
+    });
+});
+
+describe('the range of a surface', () => {
+    it('holds all its values, and little more', () => {
+        for (const [low, high] of [
+            [0.0019, 1.786],
+            [-3.2e-7, 8.1e-7],
+            [1_000_000.25, 1_000_000.5],
+        ] as const) {
+            const [from, to] = steadyRange(low, high);
+            expect(from).toBeLessThanOrEqual(low);
+            expect(to).toBeGreaterThanOrEqual(high);
+            expect(to - from).toBeLessThan(1.5 * (high - low));
+        }
+        expect(steadyRange(0.31, 1.42)).toEqual([0.2, 1.6]);
+    });
+
+    it('stays while the values change a little', () => {
+        expect(steadyRange(0.312, 1.43)).toEqual(steadyRange(0.31, 1.42));
+    });
+
+    it('is what it is of a single value', () => {
+        expect(steadyRange(2, 2)).toEqual([2, 2]);
+        expect(steadyRange(Number.NaN, Number.NaN)).toEqual([Number.NaN, Number.NaN]);
+    });
+});
+
+const values = (low: number, high: number, log: boolean): number[] =>
+    colourTicks(low, high, log, 5).ticks.map(({ value }) => Number(value.toPrecision(6)) + 0);
+
+describe('colourTicks', () => {
+    it('are even where the range is', () => {
+        expect(values(0, 1, false)).toEqual([0, 0.2, 0.4, 0.6, 0.8, 1]);
+    });
+
+    it('are 1, 2 and 5, or 1 and 3, or 1 times powers of ten, as there is room', () => {
+        expect(values(1, 10, true)).toEqual([1, 2, 5, 10]);
+        expect(values(0.02, 2, true)).toEqual([0.03, 0.1, 0.3, 1]);
+        expect(values(0.001, 10, true)).toEqual([0.001, 0.01, 0.1, 1, 10]);
+        expect(values(1e-9, 1e9, true).length).toBeLessThanOrEqual(6);
+    });
+
+    it('are round numbers within a range that is less than a power of ten', () => {
+        expect(values(2, 4, true)).toEqual([2, 2.5, 3, 3.5, 4]);
+    });
+
+    it('are none where there is no logarithm', () => {
+        expect(values(-1, 1, true)).toEqual([]);
     });
 });

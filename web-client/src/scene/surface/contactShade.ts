@@ -14,12 +14,11 @@ import {
     UnsignedIntType,
     Vector2,
     Vector4,
-    WebGLRenderTarget,
     type WebGLRenderer,
+    WebGLRenderTarget,
     ZeroFactor,
 } from 'three';
-import { drawDepth } from './depthOnly.ts';
-import { fullScreen } from './fullScreen.ts';
+import { drawDepth, fullScreen } from './renderPasses.ts';
 
 /** Is the layer of what is shaded, and shades: neither rakes nor words. */
 export const shadedLayer = 1;

@@ -1,5 +1,6 @@
-// The solid body in the picture: a little further away in depth than it is, cut where surfaces are, with the
-// flow along it as a texture.
+// The solid body in the picture: a little further away in depth than it is, cut where surfaces are, with the flow along it as a texture,
+// that of surfaces (flowTexture.ts), in the material that the scene lights. Its programs light vertices, not pixels: what that saves, the
+// texture takes.
 import {
     BufferAttribute,
     BufferGeometry,
@@ -13,11 +14,11 @@ import {
 } from 'three';
 import type { BodyMesh } from '../../mesh/meshChange.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { pushBack } from './bodyDepth.ts';
-import { giveTexture, showTexture } from './bodyTexture.ts';
 import { shadedLayer } from './contactShade.ts';
-import { type FlowTexture, makeNoise } from './surfaceMaterial.ts';
+import { flowTextureGlsl, flowVertexGlsl } from './flowTexture.ts';
+import { pushBack } from './renderPasses.ts';
 import type { SurfaceLayer } from './surfaceLayer.ts';
+import { type FlowTexture, makeNoise, type SharedUniforms, textureDefines } from './surfaceMaterial.ts';
 
 type Planes = readonly (readonly [number, number, number, number])[];
 
@@ -143,4 +144,69 @@ function createObstacleMesh({ positions, normals, indices }: BodyMesh): Mesh<Buf
     geometry.setAttribute('normal', new BufferAttribute(normals, 3));
     geometry.setIndex(new BufferAttribute(indices, 1));
     return new Mesh(geometry, new MeshLambertMaterial({ color: 0xb4bcc9, side: DoubleSide }));
+}
+
+const vertexGlsl = `
+#ifdef TEXTURED
+#include <lights_pars_begin>
+attribute vec3 flow;
+out vec3 light;
+${flowVertexGlsl}
+
+/** Returns the light as MeshLambertMaterial has it. */
+vec3 lightOn(vec3 n) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < NUM_DIR_LIGHTS; ++i) {
+        sum += max(dot(n, directionalLights[i].direction), 0.0) * directionalLights[i].color;
+    }
+    for (int i = 0; i < NUM_HEMI_LIGHTS; ++i) sum += getHemisphereLightIrradiance(hemisphereLights[i], n);
+    return RECIPROCAL_PI * sum;
+}
+#endif`;
+
+const vertexMain = `
+#ifdef TEXTURED
+    vec3 toViewer = isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(-mvPosition.xyz);
+    float facing = dot(transformedNormal, toViewer);
+    light = lightOn(facing < 0.0 ? -transformedNormal : transformedNormal);
+    placeInFlow(position, normal, flow);
+    // Seen edge-on, grains are finer than pixels.
+    alongFlow.w *= min(1.0, 4.0 * abs(facing));
+#endif`;
+
+const fragmentGlsl = `
+#ifdef TEXTURED
+in vec3 light;
+uniform float lineDensity;
+${flowTextureGlsl}
+#endif`;
+
+/** In the place of the includes between which it begins and ends. */
+const lit = ['#include <lights_lambert_fragment>', '#include <lights_fragment_end>'] as const;
+
+/** @param time for how much simulation time the flow has gone  */
+export function giveTexture(material: MeshLambertMaterial, shared: SharedUniforms, time: { value: number }): void {
+    const before = material.onBeforeCompile.bind(material);
+    const { noiseScale, noiseFrom, noise, waves, flowed } = shared;
+    const own = { lineDensity: { value: 1 }, byItself: { value: false }, flowTime: time };
+    material.onBeforeCompile = (shader, renderer) => {
+        before(shader, renderer);
+        Object.assign(shader.uniforms, own, { noiseScale, noiseFrom, noise, waves, flowed });
+        shader.vertexShader = shader.vertexShader
+            .replace('void main() {', `${vertexGlsl}\nvoid main() {`)
+            .replace('#include <project_vertex>', `#include <project_vertex>${vertexMain}`);
+        shader.fragmentShader = shader.fragmentShader
+            .replace('void main() {', `${fragmentGlsl}\nvoid main() {`)
+            .replace(
+                lit[0],
+                `#ifdef TEXTURED\n    reflectedLight.directDiffuse = diffuse * light * flowTexture(1.0);\n#else\n${lit[0]}`,
+            )
+            .replace(lit[1], `${lit[1]}\n#endif`);
+    };
+}
+
+/** Programs with it are made when it is first wanted. */
+export function showTexture(material: MeshLambertMaterial, texture: FlowTexture): void {
+    material.defines = textureDefines[texture];
+    material.needsUpdate = true;
 }

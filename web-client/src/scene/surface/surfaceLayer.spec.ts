@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { revealedAt } from '../../testing/revealedAt.ts';
-import { maskSize } from './maskCode.ts';
+import { maskSize } from './surfaceMask.ts';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import { SurfaceLayer } from './surfaceLayer.ts';
 import { plainStyle } from './surfaceStyle.ts';

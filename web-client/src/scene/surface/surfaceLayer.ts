@@ -3,16 +3,14 @@
 import { Group, type Scene, Vector2, type Vector4, WebGLRenderTarget } from 'three';
 import type { TimedMeshChange } from '../../mesh/meshChange.ts';
 import type { Bounds } from '../domain/domainAxes.ts';
-import { bodyPush } from './bodyDepth.ts';
+import { bodyPush } from './renderPasses.ts';
 import { ContactShade, shadedLayer } from './contactShade.ts';
-import { grainsPerLength } from './flowTextureShader.ts';
-import { decodeMask } from './maskCode.ts';
+import { grainsPerLength } from './flowTexture.ts';
+import { type BrushPrint, decodeMask, SurfaceMask } from './surfaceMask.ts';
 import { Splats } from './splats.ts';
-import { type BrushPrint, SurfaceMask } from './surfaceMask.ts';
 import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
-import { noPlanes, sharedUniforms, SurfaceMaterials } from './surfaceMaterial.ts';
+import { noPlanes, sharedUniforms, SurfaceMaterials, SurfaceTextures } from './surfaceMaterial.ts';
 import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
-import { SurfaceTextures } from './surfaceTextures.ts';
 import { Transparency } from './transparency.ts';
 
 /** Says how many times its length a mask that was brought may be away. */

@@ -1,27 +1,34 @@
-// The materials of one surface: the programs are shared by all, the uniforms are the surface's own.
+// The materials of one surface: the programs and textures (colour tables, noise, a mask that hides nothing) are shared by all, the uniforms
+// are the surface's own.
 import {
     Color,
     CustomBlending,
-    type DataArrayTexture,
-    type DataTexture,
+    DataArrayTexture,
+    DataTexture,
     DoubleSide,
     GLSL3,
+    LinearFilter,
     NoBlending,
     OneFactor,
     OneMinusSrcAlphaFactor,
+    RedFormat,
+    RepeatWrapping,
+    RGBAFormat,
+    RGFormat,
     ShaderMaterial,
+    SRGBColorSpace,
+    UnsignedByteType,
     Vector2,
     Vector3,
     Vector4,
     ZeroFactor,
 } from 'three';
-import { drawnRange } from './colourMap.ts';
-import { peelUniforms } from './peeling.ts';
-import { coarsestPower, nearestApart } from './pieceLevels.ts';
+import { type ColourMapName, colourTable, drawnRange, steadyRange, tableSize } from './colourMap.ts';
+import { directions, noiseSize, smearedNoise } from './flowTexture.ts';
+import { coarsestPower, nearestApart } from './patternShader.ts';
 import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShader.ts';
-import { steadyRange } from './steadyRange.ts';
 import type { SurfaceStyle } from './surfaceStyle.ts';
-import type { SurfaceTextures } from './surfaceTextures.ts';
+import { peelUniforms } from './transparency.ts';
 
 export type FlowTexture = 'none' | 'standing' | 'flowing';
 
@@ -155,7 +162,7 @@ export class SurfaceMaterials {
             defines: { BLENDED: 1 },
             transparent: true,
             depthWrite: false,
-            // Colours add up; alpha becomes the product of what passes through (weightedBlending.ts).
+            // Colours add up; alpha becomes the product of what passes through (WeightedBlending).
             blending: CustomBlending,
             blendSrc: OneFactor,
             blendDst: OneFactor,
@@ -239,5 +246,39 @@ export class SurfaceMaterials {
 
     dispose(): void {
         for (const material of [this.plain, this.splats, this.opaque, this.blended, this.peeled, this.pick]) material.dispose();
+    }
+}
+
+export class SurfaceTextures {
+    readonly blank = new DataTexture(Uint8Array.of(255), 1, 1, RedFormat, UnsignedByteType);
+    private readonly tables = new Map<ColourMapName, DataTexture>();
+    private readonly kept = new Map<boolean, DataArrayTexture>();
+
+    constructor() {
+        this.blank.needsUpdate = true;
+    }
+
+    /** Made when it is first needed, which takes a tenth of a second. */
+    noise(moving: boolean): DataArrayTexture {
+        const known = this.kept.get(moving);
+        if (known !== undefined) return known;
+        const texture = new DataArrayTexture(smearedNoise(moving), noiseSize, noiseSize, directions + 1);
+        texture.format = moving ? RGBAFormat : RGFormat;
+        texture.minFilter = texture.magFilter = LinearFilter;
+        texture.wrapS = texture.wrapT = RepeatWrapping;
+        texture.needsUpdate = true;
+        this.kept.set(moving, texture);
+        return texture;
+    }
+
+    colours(name: ColourMapName): DataTexture {
+        const known = this.tables.get(name);
+        if (known !== undefined) return known;
+        const texture = new DataTexture(colourTable(name), tableSize, 1, RGBAFormat, UnsignedByteType);
+        texture.colorSpace = SRGBColorSpace;
+        texture.minFilter = texture.magFilter = LinearFilter;
+        texture.needsUpdate = true;
+        this.tables.set(name, texture);
+        return texture;
     }
 }

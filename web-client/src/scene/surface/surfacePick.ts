@@ -18,7 +18,7 @@ import {
 } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { isOrthographic, type ScreenPoint, type View } from '../base/view.ts';
-import { pushBackGlsl } from './bodyDepth.ts';
+import { pushBackGlsl } from './renderPasses.ts';
 import type { PickGrid, PickHit, PickOptions } from './pickHit.ts';
 import type { SurfaceLayer } from './surfaceLayer.ts';
 

@@ -1,12 +1,11 @@
 // The shader of the surfaces, one text for five programs: the first draws; PLAIN does so without planes,
 // windows, painting, stripes and outlines, which most surfaces have none of, at half the cost; BLENDED adds
-// to the targets of transparency (weightedBlending.ts); PEELED draws one of its layers (peeling.ts); the pick
+// to the weighted targets of transparency.ts; PEELED draws one of its layers; the pick
 // writes what is where (surfacePick.ts). Looks differ in uniforms, and the flow texture in programs with it
 // (TEXTURED) in which it stands or moves (FLOWING): a software renderer computes what no pixel takes.
 import { cutLevel } from '../../mesh/meshChange.ts';
-import { flowTextureGlsl, flowVertexGlsl } from './flowTextureShader.ts';
-import { patternGlsl } from './patternShader.ts';
-import { piecesGlsl } from './piecesShader.ts';
+import { flowTextureGlsl, flowVertexGlsl } from './flowTexture.ts';
+import { patternGlsl, piecesGlsl } from './patternShader.ts';
 import { endSlack } from './splatEnds.ts';
 import { tableSize } from './colourMap.ts';
 

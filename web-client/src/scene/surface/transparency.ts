@@ -1,25 +1,29 @@
-// Draws what can be seen through, behind what is opaque: aside before the picture, and laid over it by one
-// triangle. Weights tell the order while things move (weightedBlending.ts), layers where it has to be exact
-// (peeling.ts). Where nothing is transparent nothing of this is drawn or kept.
+// What can be seen through, behind what is opaque: drawn aside before the picture, and laid over it by one triangle. While things move
+// weights tell the order, whatever order surfaces and folds are drawn in (weighted blended, McGuire and Bavoil, JCGT 2013): half-float
+// targets hold the weighted sum of colours with the product of what passes through, and the sum of weights. Where the order has to be
+// exact, depth peeling (Everitt 2001) draws the surfaces once for each layer, of which every pixel keeps the nearest fragment behind the
+// layer before; layers are laid one under the other, as colours of the screen, so that a layer before another lets through what it lets
+// through of an opaque body, and what is behind the last one is blended by weights. Where nothing is transparent nothing of this is drawn
+// or kept.
 import {
     type Camera,
     Color,
     DepthTexture,
+    FloatType,
     Group,
+    HalfFloatType,
     type Mesh,
     NearestFilter,
     Scene,
     type ShaderMaterial,
+    type Texture,
     UnsignedIntType,
     Vector2,
     Vector3,
-    WebGLRenderTarget,
     type WebGLRenderer,
+    WebGLRenderTarget,
 } from 'three';
-import { drawDepth } from './depthOnly.ts';
-import type { FullScreen } from './fullScreen.ts';
-import { Peeling, type PeelUniforms } from './peeling.ts';
-import { WeightedBlending } from './weightedBlending.ts';
+import { drawDepth, type FullScreen, fullScreen, type Laid } from './renderPasses.ts';
 
 /** The programs of something that can be seen through. */
 export interface TransparentMaterials {
@@ -140,3 +144,179 @@ export class Transparency {
         this.depth = null;
     }
 }
+
+/** Is the number of layers that are drawn in their order. */
+export const peeledLayers = 4;
+
+/** For the materials of what is peeled. */
+export function peelUniforms() {
+    return {
+        /** The depth of the layer before; null: there is none. */
+        nearer: { value: null as DepthTexture | null },
+        peeling: { value: false },
+        opaqueDepth: { value: null as DepthTexture | null },
+    };
+}
+export type PeelUniforms = ReturnType<typeof peelUniforms>;
+
+/** Which program draws the transparent surfaces. */
+export type UseMaterials = (which: 'blended' | 'peeled') => void;
+
+interface Targets {
+    size: Vector2;
+    /** In turn: while one is drawn, the other says where the layer before is. */
+    layers: readonly [WebGLRenderTarget, WebGLRenderTarget];
+    sum: WebGLRenderTarget;
+}
+
+export class Peeling {
+    /** Belongs into the scene. */
+    readonly composite: FullScreen;
+    private readonly result: { value: Texture | null } = { value: null };
+    private readonly layer: { value: Texture | null } = { value: null };
+    private readonly under = new Scene();
+    private readonly rest = new Scene();
+    private readonly uniforms: PeelUniforms;
+    private readonly blending: WeightedBlending;
+    private targets: Targets | null = null;
+
+    constructor(uniforms: PeelUniforms, blending: WeightedBlending) {
+        this.uniforms = uniforms;
+        this.blending = blending;
+        this.composite = fullScreen('over', { uniforms: { picture: this.result }, fragmentShader: layerShader });
+        this.under.add(fullScreen('under', { uniforms: { picture: this.layer }, fragmentShader: layerShader }));
+        this.rest.add(blending.composite('under', true));
+    }
+
+    /** Leaves what `composite` lays over the picture. */
+    draw(
+        renderer: WebGLRenderer,
+        transparent: Scene,
+        camera: Camera,
+        opaqueDepth: DepthTexture,
+        size: Vector2,
+        use: UseMaterials,
+    ): void {
+        const { nearer, peeling } = this.uniforms;
+        const { layers, sum } = this.targetsOf(size);
+        this.uniforms.opaqueDepth.value = opaqueDepth;
+        renderer.setClearColor(0, 0);
+        renderer.setRenderTarget(sum);
+        renderer.clear(true, false, false);
+        use('peeled');
+        for (let i = 0; i < peeledLayers; ++i) {
+            const [drawn, before] = i % 2 === 0 ? layers : ([layers[1], layers[0]] as const);
+            peeling.value = i > 0;
+            nearer.value = i > 0 ? before.depthTexture : null;
+            renderer.autoClear = true;
+            renderer.setRenderTarget(drawn);
+            renderer.render(transparent, camera);
+            this.layer.value = drawn.texture;
+            this.layUnder(renderer, this.under, camera, sum);
+        }
+        peeling.value = true;
+        nearer.value = layers[(peeledLayers - 1) % 2]!.depthTexture;
+        use('blended');
+        this.blending.draw(renderer, transparent, camera, opaqueDepth, size);
+        this.layUnder(renderer, this.rest, camera, sum);
+        peeling.value = false;
+        nearer.value = null;
+        this.uniforms.opaqueDepth.value = null;
+    }
+
+    release(): void {
+        if (this.targets === null) return;
+        for (const layer of this.targets.layers) {
+            layer.depthTexture?.dispose();
+            layer.dispose();
+        }
+        this.targets.sum.dispose();
+        this.targets = null;
+    }
+
+    private layUnder(renderer: WebGLRenderer, picture: Scene, camera: Camera, sum: WebGLRenderTarget): void {
+        renderer.autoClear = false;
+        renderer.setRenderTarget(sum);
+        renderer.render(picture, camera);
+    }
+
+    private targetsOf(size: Vector2): Targets {
+        if (this.targets !== null && this.targets.size.equals(size)) return this.targets;
+        this.release();
+        const kind = { type: HalfFloatType, minFilter: NearestFilter, magFilter: NearestFilter } as const;
+        const layer = (): WebGLRenderTarget => {
+            // Floats: a fragment must find its own depth again to the last bit.
+            const depthTexture = new DepthTexture(size.x, size.y, FloatType);
+            return new WebGLRenderTarget(size.x, size.y, { ...kind, depthTexture });
+        };
+        const sum = new WebGLRenderTarget(size.x, size.y, { ...kind, depthBuffer: false });
+        this.targets = { size: size.clone(), layers: [layer(), layer()], sum };
+        this.result.value = sum.texture;
+        return this.targets;
+    }
+}
+
+const layerShader = `
+uniform sampler2D picture;
+layout(location = 0) out vec4 drawn;
+
+void main() {
+    drawn = texelFetch(picture, ivec2(gl_FragCoord.xy), 0);
+    if (drawn.a < 0.001) discard;
+}`;
+
+export class WeightedBlending {
+    private target: WebGLRenderTarget | null = null;
+    private readonly sum: { value: Texture | null } = { value: null };
+    private readonly weights: { value: Texture | null } = { value: null };
+
+    /** Lays the mean over or under a picture; encoded: as colours of the screen, where the target has them
+     *  linear. */
+    composite(laid: Laid, encoded: boolean): FullScreen {
+        const uniforms = { sum: this.sum, weights: this.weights };
+        return fullScreen(laid, { uniforms, fragmentShader: weightShader, defines: encoded ? { ENCODED: 1 } : {} });
+    }
+
+    /** Fills the targets with what is before the depth. REQUIRES: materials that are `blended`. */
+    draw(renderer: WebGLRenderer, transparent: Scene, camera: Camera, depth: DepthTexture, size: Vector2): void {
+        const target = this.targetOf(depth, size);
+        renderer.setRenderTarget(target);
+        renderer.autoClear = false;
+        renderer.setClearColor(0, 1);
+        renderer.clear(true, false, false);
+        renderer.render(transparent, camera);
+    }
+
+    release(): void {
+        this.target?.dispose();
+        this.target = null;
+    }
+
+    private targetOf(depthTexture: DepthTexture, { x, y }: Vector2): WebGLRenderTarget {
+        if (this.target?.depthTexture === depthTexture) return this.target;
+        this.release();
+        const filter = { minFilter: NearestFilter, magFilter: NearestFilter };
+        this.target = new WebGLRenderTarget(x, y, { count: 2, type: HalfFloatType, depthTexture, ...filter });
+        this.sum.value = this.target.textures[0] ?? null;
+        this.weights.value = this.target.textures[1] ?? null;
+        return this.target;
+    }
+}
+
+const weightShader = `
+uniform sampler2D sum;
+uniform sampler2D weights;
+layout(location = 0) out vec4 drawn;
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    vec4 colours = texelFetch(sum, at, 0);
+    float alpha = 1.0 - colours.a;
+    if (alpha < 0.001) discard;
+    vec4 mean = vec4(colours.rgb / max(texelFetch(weights, at, 0).r, 1e-4), 1.0);
+#ifdef ENCODED
+    drawn = vec4(sRGBTransferOETF(mean).rgb * alpha, alpha);
+#else
+    drawn = vec4(linearToOutputTexel(mean).rgb * alpha, alpha);
+#endif
+}`;

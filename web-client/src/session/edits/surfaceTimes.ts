@@ -2,8 +2,7 @@
 // where it goes backward. All but stream surfaces stay in the data, and what has to give way for that is
 // told.
 import type { Direction, SurfaceKind } from '../../protocol/messages.ts';
-import { shortNumber } from '../../scene/base/numbers.ts';
-import { rounding } from '../../scene/base/rounding.ts';
+import { rounding, shortNumber } from '../../scene/base/numbers.ts';
 
 /** Are the parts of a surface's intent that its times depend on. */
 interface Times {

@@ -3,7 +3,7 @@ import type { Participant, Vec3 } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { displayedOf, rakeOf, sampleStatistics } from '../../testing/records.ts';
-import type { DrawnRake } from '../../scene/rake/drawnRake.ts';
+import type { DrawnRake } from '../../scene/rake/rakeLayer.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { holderOf, showRakes } from './rakeScene.ts';
 

@@ -3,7 +3,7 @@
 // moment.
 import { effect } from '@preact/signals-core';
 import type { RakeRecord } from '../../protocol/messages.ts';
-import type { DrawnRake, RakeHolder } from '../../scene/rake/drawnRake.ts';
+import type { DrawnRake, RakeHolder } from '../../scene/rake/rakeLayer.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';

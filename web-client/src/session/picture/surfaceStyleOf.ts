@@ -2,8 +2,8 @@
 // dataset.
 import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
-import { niceStep } from '../../scene/base/ticks.ts';
-import { steadyRange } from '../../scene/surface/steadyRange.ts';
+import { niceStep } from '../../scene/base/numbers.ts';
+import { steadyRange } from '../../scene/surface/colourMap.ts';
 import { normalNames } from '../../mesh/meshChange.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
 import { type AutomaticRange, type AutomaticRanges, meaningOf, type SurfaceLook } from '../../state/surfaceLook.ts';

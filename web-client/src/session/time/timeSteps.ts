@@ -1,7 +1,6 @@
 // Arithmetic of the time-steps: the nearest, the next, what the timeline spans, and its numbers.
 import type { SurfaceKind } from '../../protocol/messages.ts';
-import { labelForm } from '../../scene/base/numbers.ts';
-import { niceTicks, type Ticks } from '../../scene/base/ticks.ts';
+import { labelForm, niceTicks, type Ticks } from '../../scene/base/numbers.ts';
 
 export type Span = readonly [low: number, high: number];
 

@@ -1,8 +1,7 @@
 // Shows what colours mean: a bar for each field that is seen, with the colour table and numbers, as text that
 // can be read aloud.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { colourTable, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
-import { colourTicks } from '../../scene/surface/colourTicks.ts';
+import { colourTable, colourTicks, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
 import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
 import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';

@@ -11,7 +11,7 @@ import type {
 } from '../../protocol/messages.ts';
 import { surfaceKinds } from '../../protocol/generated/surface.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
-import { diagonal } from '../../scene/camera/fitting.ts';
+import { diagonal } from '../../scene/camera/cameraControls.ts';
 import { surfacesOf } from '../../session/edits/selection.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
 import { cutBackAt, directionsOf, followed, longestLength } from '../../session/edits/surfaceTimes.ts';

@@ -2,9 +2,8 @@ import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { View } from '../base/view.ts';
-import { placeUnder } from './rakePlace.ts';
-import type { RakeShape } from './rakeShape.ts';
-import { distance } from './vec3.ts';
+import { placeUnder } from './rakeLayer.ts';
+import { distance, type RakeShape } from './rakeShape.ts';
 
 const size = { width: 800, height: 600 };
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { coverOf, isCovered, placeOf } from './cover.ts';
+import { coverOf, isCovered, placeOf } from './labels.ts';
 
 const picture = { right: 900, bottom: 600, width: 900, height: 600 };
 const bar = { right: 888, bottom: 588, width: 260, height: 60 };

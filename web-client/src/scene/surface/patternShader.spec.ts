@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { coarsestPower } from './pieceLevels.ts';
+import { coarsestPower } from './patternShader.ts';
 
 describe('the largest power of two that has a line', () => {
     it.each([

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
+import { withCoordinate } from './rakeInteraction.ts';
 import { circleOf, type RakeShape } from './rakeShape.ts';
-import { withCoordinate } from './typedPoint.ts';
 
 const bounds = [-3, 13, -4, 4, 0, 6] as const;
 const line: RakeShape = {

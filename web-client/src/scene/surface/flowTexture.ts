@@ -1,12 +1,15 @@
-// Noise for the flow texture, smeared in advance (line integral convolution, Cabral and Leedom 1993, over so
-// short a way that it is straight): once in each of many directions, all of the same noise, so that
-// neighbours among them hardly differ. A pixel then needs one look-up, whatever the direction. It finds two
-// sizes of grain, one half of the other, between which the texture can change over. What moves is the noise
-// under two waves a quarter of a length apart, of which each other wave along the flow is a sum.
+// Flow texture: noise in space, smeared along the part of the velocity that is tangential to the surface, as
+// Laramee et al. 2004 and 2006 advect it in the picture. In space, so that it stays on the surface while the
+// view turns, and is the same in every tile of a figure.
 
 /** Larger grains along a side of what repeats, and numbers: a grain is as wide as four, or two, so that none
  *  is a stair. */
 export const noiseGrains = 48;
+/**
+ * Noise smeared in advance, once in each of many directions, all of the same noise, so that neighbours among them hardly differ
+ * (line integral convolution, Cabral and Leedom 1993, over so short a way that it is straight). A pixel then needs one look-up,
+ * whatever the direction.
+ */
 export const noiseSize = 4 * noiseGrains;
 /** Over half a turn; one more is the first one the other way round. The widest gap is 3.6 degrees. */
 export const directions = 64;
@@ -118,3 +121,109 @@ function paddedNoise(grain: number): Float32Array {
         return (1 - v) * lower + v * ((1 - u) * at(row + 1, column) + u * at(row + 1, column + 1));
     });
 }
+
+/**
+ * Says how often its own length a wave wanders before the next takes over, at least; at most twice as often.
+ * Over a longer way differences in speed would take a wave apart. Where the flow is half as fast it may take
+ * twice as long, so slow places move too; where one time becomes the other, both waves have gone a whole
+ * number of lengths, and there is no seam.
+ */
+const lengths = 8;
+/** Pixels of a grain across the flow, at usual density; up to twice as much. */
+const grainPx = 3;
+
+/** Returns what a shared uniform says of the picture: larger grains in a unit of length at usual density,
+ *  where 1 / gl_FragCoord.w is 1. */
+export function grainsPerLength(projection: readonly number[], heightPx: number, pixelRatio: number): number {
+    return (projection[5]! * heightPx) / (2 * grainPx * pixelRatio);
+}
+
+/** For the vertices: what the texture needs to know of the flow. */
+export const flowVertexGlsl = `
+// Where the noise begins: far from the origin of the data, coordinates have too few digits left.
+uniform vec3 noiseFrom;
+// In the frame of the noise: the place, the normal, the velocity along the surface, and how much of the
+// texture is shown.
+out vec3 noisePlace;
+out vec3 noiseNormal;
+out vec4 alongFlow;
+
+// No plane of a grid lies along an axis of the noise.
+const mat3 aslant = mat3(0.36, 0.48, -0.8, -0.8, 0.6, 0.0, 0.48, 0.64, 0.6);
+
+void placeInFlow(vec3 at, vec3 normalHere, vec3 velocity) {
+    noisePlace = aslant * (at - noiseFrom);
+    noiseNormal = aslant * normalHere;
+    vec3 tangential = velocity - dot(velocity, normalHere) * normalHere;
+    float whole = length(velocity);
+    // Where the flow goes through the surface rather than along it there is no direction to show (Laramee et
+    // al. 2004).
+    alongFlow = vec4(aslant * tangential, whole > 0.0 ? smoothstep(0.1, 0.3, length(tangential) / whole) : 0.0);
+}`;
+
+export const flowTextureGlsl = `
+in vec3 noisePlace;
+in vec3 noiseNormal;
+in vec4 alongFlow;
+uniform float noiseScale;
+#ifndef FLOWING
+uniform sampler2DArray noise;
+#else
+uniform sampler2DArray waves;
+// For how much simulation time it has flown: in data of several times, and where a field stands still.
+uniform float flowTime;
+uniform bool byItself;
+uniform float flowed;
+
+/** A parabola between its zeros: sin(2 pi x) and cos(2 pi x) within 6 %. */
+vec4 onCircle(vec2 x) {
+    vec4 y = 2.0 * fract(vec4(x, x + 0.25)).xzyw - 1.0;
+    return 4.0 * y * (abs(y) - 1.0);
+}
+
+/**
+ * The weights along the way are a wave, which wanders with the flow (Cabral and Leedom's animation). Two of
+ * them take turns, each fading out before differences in speed have taken it apart.
+ * @param grain under waves: of the larger size, and of the smaller @param often lengths of a wave in a unit
+ * of time
+ */
+vec2 moved(vec4 grain, float often) {
+    // The power of two below it, and how many times that it is.
+    int bits = floatBitsToInt(often);
+    float most = intBitsToFloat(bits & 0x7f800000) * ${(1 / lengths).toFixed(6)};
+    float times = intBitsToFloat((bits & 0x007fffff) | 0x3f800000) * ${lengths}.0;
+    vec2 passed = fract((byItself ? flowed : flowTime) * most + vec2(0.0, 0.5));
+    float first = 1.0 - abs(2.0 * passed.x - 1.0);
+    vec4 wave = onCircle(passed * times);
+    vec2 weights = mix(wave.zw, wave.xy, first).yx * vec2(1.0, -1.0);
+    return vec2(dot(grain.xy, weights), dot(grain.zw, weights));
+}
+#endif
+
+/** Returns what is left of the colour. No branches: a software renderer takes both ways. */
+float flowTexture(float facing) {
+    // Of the three planes of the axes that which the surface lies in most.
+    vec3 towards = abs(noiseNormal);
+    bool first = towards.x > max(towards.y, towards.z);
+    bool second = towards.y > towards.z;
+    vec2 way = first ? alongFlow.yz : second ? alongFlow.zx : alongFlow.xy;
+    vec2 at = first ? noisePlace.yz : second ? noisePlace.zx : noisePlace.xy;
+    // Directions go half way round only.
+    float side = way.y < 0.0 ? -1.0 : 1.0;
+    float layer = ${directions / 2}.0 - ${directions / 2}.0 * side * way.x / (abs(way.x) + abs(way.y));
+    // Of the grains wanted, the power of two below, and how many times that.
+    int wanted = floatBitsToInt(noiseScale * lineDensity * gl_FragCoord.w);
+    float density = intBitsToFloat(wanted & 0x7f800000);
+    float finer = smoothstep(1.25, 1.6, intBitsToFloat((wanted & 0x007fffff) | 0x3f800000));
+    vec3 place = vec3(at * density * ${(1 / noiseGrains).toFixed(8)}, layer);
+#ifndef FLOWING
+    vec2 grain = textureLod(noise, place, 0.0).rg - 0.5;
+#else
+    vec4 wave = textureLod(waves, place, 0.0) - 0.5;
+    wave.yw *= side;
+    vec2 grain = moved(wave, length(way) * density * ${(1 / waveGrains).toFixed(8)});
+#endif
+    // Seen edge-on, grains are finer than pixels.
+    float shown = alongFlow.w * min(1.0, 4.0 * facing);
+    return mix(1.0, 0.8 + 0.9 * mix(grain.x, grain.y, finer), shown);
+}`;
