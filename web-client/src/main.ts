@@ -14,41 +14,38 @@ import { MeshDownload } from './session/out/meshDownload.ts';
 import { scriptedPage } from './session/out/scriptedPicture.ts';
 import { Thumbnails } from './session/out/thumbnails.ts';
 import { lookAtFirst } from './session/picture/firstLook.ts';
-import { showStillPictures } from './session/picture/stillPictures.ts';
-import { tellLostGraphics } from './session/picture/lostGraphics.ts';
+import { showStillPictures, showTheme, tellLostGraphics } from './session/picture/drawingSettings.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
-import { Measuring } from './session/tools/measuring.ts';
-import { Noting } from './session/tools/noting.ts';
-import { hideSurfaces } from './session/picture/shownSurfaces.ts';
+import { Measuring, Noting, Probing } from './session/tools/pointTools.ts';
+import { hideSurfaces, measurePixels, showLooks } from './session/picture/looksInPicture.ts';
 import { BodyFlow } from './session/picture/bodyFlow.ts';
-import { tellLackedFields } from './session/picture/lackedFields.ts';
-import { showLooks } from './session/picture/looksInPicture.ts';
-import { measurePixels } from './session/picture/pixelSize.ts';
+import { tellLackedFields } from './session/picture/surfaceFields.ts';
 import { ImportWait } from './session/importWait.ts';
 import { OpenDataset } from './session/openDataset.ts';
 import { connectPainting } from './session/tools/painting.ts';
 import { People } from './session/people/people.ts';
-import { showPeople } from './session/people/peopleInPicture.ts';
+import { Pointing, showPeople } from './session/people/peopleInPicture.ts';
 import { Families } from './session/surface/families.ts';
 import { chooseKind } from './session/time/kindChoice.ts';
 import { Playback } from './session/time/playback.ts';
-import { Suggestions } from './session/sessions/suggestions.ts';
-import { Pointing } from './session/people/pointing.ts';
-import { Probing } from './session/tools/probing.ts';
-import { connectRakes } from './session/picture/rakesByHand.ts';
-import { showRakes } from './session/picture/rakeScene.ts';
-import { ServerNews } from './session/serverNews.ts';
+import { Suggestions } from './session/sessions/defaultScene.ts';
+import { connectRakes, showRakes } from './session/picture/rakesInPicture.ts';
+import { handOut, ServerNews } from './session/serverEvents.ts';
 import { SessionController } from './session/sessionController.ts';
-import { readNewLink } from './session/sessions/newLink.ts';
+import {
+    baseUrl,
+    followHistory,
+    openFragment,
+    readFragment,
+    readNewLink,
+    showFragment,
+    writeFragment,
+} from './session/view/urlState.ts';
 import { OwnCopy } from './session/sessions/ownCopy.ts';
 import { SessionShelf } from './session/sessions/sessionShelf.ts';
-import { SurfaceProgress } from './session/surface/surfaceProgress.ts';
-import { SurfaceOutcomes } from './session/surface/surfaceOutcomes.ts';
+import { SurfaceOutcomes, SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
-import { showTheme } from './session/picture/themeInPicture.ts';
-import { showUnits, typeUnits } from './session/picture/unitsInPicture.ts';
-import { handOut } from './session/workerEvents.ts';
-import { baseUrl, followHistory, openFragment, readFragment, showFragment, writeFragment } from './session/view/urlState.ts';
+import { showUnits, typeUnits } from './session/picture/writtenNumbers.ts';
 import { Views } from './session/view/views.ts';
 import { AppState } from './state/appState.ts';
 import { LatencyLog } from './state/latency.ts';

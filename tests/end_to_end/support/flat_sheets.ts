@@ -4,7 +4,7 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import { encodeLinkState } from '../../../web-client/src/session/view/linkState.ts';
+import { encodeLinkState } from '../../../web-client/src/session/view/urlState.ts';
 import type { PageView } from '../../../web-client/src/state/pageView.ts';
 import type { SurfaceLook } from '../../../web-client/src/state/surfaceLook.ts';
 import type { Vec3 } from '../../../web-client/src/protocol/messages.ts';

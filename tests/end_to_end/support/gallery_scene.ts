@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import type { PageView } from '../../../web-client/src/state/pageView.ts';
-import { encodeLinkState } from '../../../web-client/src/session/view/linkState.ts';
+import { encodeLinkState } from '../../../web-client/src/session/view/urlState.ts';
 import type { SurfaceLook } from '../../../web-client/src/state/surfaceLook.ts';
 import type { Vec3 } from '../../../web-client/src/protocol/messages.ts';
 import { finalSurface } from './browser_page.ts';

@@ -5,7 +5,7 @@ import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import type { ImportWait } from './importWait.ts';
-import { StepsHeld } from './time/stepsHeld.ts';
+import { StepsHeld } from './time/cachedSteps.ts';
 
 const importPollMs = 1000;
 

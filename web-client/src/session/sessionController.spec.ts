@@ -5,7 +5,7 @@ import { apiLevel, type DatasetEntry, type Patch, type SessionSnapshot } from '.
 import { datasetOf, emptySnapshot, rakeOf, suggestionOf, surfaceOf } from '../testing/records.ts';
 import { AppState } from '../state/appState.ts';
 import { CallError } from '../worker/workerClient.ts';
-import { Suggestions } from './sessions/suggestions.ts';
+import { Suggestions } from './sessions/defaultScene.ts';
 import { OpenDataset } from './openDataset.ts';
 import { SessionController } from './sessionController.ts';
 

@@ -6,19 +6,17 @@ import { apiLevel, type JoinedSession, type Patch, type SessionSnapshot } from '
 import type { AppState } from '../state/appState.ts';
 import { keep } from '../state/browserMemory.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
-import { isDisconnected, tellUnlessCut } from './base/lostConnection.ts';
+import { isDisconnected, tellUnlessCut } from './base/calls.ts';
 import type { Edits } from './edits/edits.ts';
 import type { UndoHistory } from './edits/undoHistory.ts';
 import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
-import { Arrival, isNotFound, nameKept } from './sessions/arrival.ts';
+import { Arrival, isNotFound, nameKept, rememberSession } from './sessions/joinSession.ts';
 import type { Thumbnails } from './out/thumbnails.ts';
-import type { Suggestions } from './sessions/suggestions.ts';
-import { addDefaultScene, isEmpty, wasEdited } from './sessions/filling.ts';
-import { rememberSession } from './sessions/knownSessions.ts';
+import { addDefaultScene, isEmpty, type Suggestions, wasEdited } from './sessions/defaultScene.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
-import { isNothing, makeAnew, type Remembered, rememberedOf } from './view/madeAnew.ts';
+import { isNothing, makeAnew, type Remembered, rememberedOf } from './view/sessionRecovery.ts';
 import type { UrlState } from './view/urlState.ts';
 import type { Views } from './view/views.ts';
 

@@ -1,9 +1,11 @@
-import { describe, expect, it } from 'vitest';
-import { answering, settled } from '../../testing/fakes.ts';
+import { describe, expect, it, test } from 'vitest';
+import { Announcements } from '../../state/announcements.ts';
 import { AppState } from '../../state/appState.ts';
+import { answering, settled } from '../../testing/fakes.ts';
+import { CallError } from '../../worker/workerClient.ts';
 import { Gestures } from '../edits/gestures.ts';
 import { UndoHistory } from '../edits/undoHistory.ts';
-import { Calls } from './calls.ts';
+import { Calls, tellUnlessCut } from './calls.ts';
 
 function bench() {
     const state = new AppState();
@@ -45,4 +47,13 @@ describe('a note or a view that is kept', () => {
         expect(sent[1]).toEqual(['session.fork', {}]);
         expect([history.undoable.value, gestures.current]).toEqual([0, before]);
     });
+});
+
+test('a call that ends with the connection is not told of, one whose answer the page cannot read is', () => {
+    const problems = new Announcements();
+    const failure = { code: 0, message: 'This page cannot read what the server sent.', hint: '' };
+    tellUnlessCut(problems, 'rake', new CallError({ ...failure, kind: 'disconnected' }));
+    expect([...problems.all.value]).toEqual([]);
+    tellUnlessCut(problems, 'rake', new CallError({ ...failure, kind: 'unreadable' }));
+    expect([...problems.all.value]).toEqual([['rake', failure.message]]);
 });

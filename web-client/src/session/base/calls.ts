@@ -1,8 +1,10 @@
-// Calls that a control makes for its user: what the server refuses is said over the picture, in words.
+// Calls that a control makes for its user, and edits: what the server refuses is said over the picture, in words. Of a call that ends with
+// the connection the connection's own banner says so, and what it said goes with the next connection.
+import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { MethodName, ParamsOf, ResultOf } from '../../protocol/messages.ts';
+import type { Announcements } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
-import type { WorkerClient } from '../../worker/workerClient.ts';
-import { tellUnlessCut } from './lostConnection.ts';
+import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 
 const edits = new Set<MethodName>(['annotation.set', 'annotation.delete', 'bookmark.set', 'bookmark.delete']);
 
@@ -36,5 +38,33 @@ export class Calls {
             tellUnlessCut(this.state.problems, method, error);
             return null;
         }
+    }
+}
+
+export function isDisconnected(error: unknown): boolean {
+    return error instanceof CallError && error.failure.kind === 'disconnected';
+}
+
+/** @param about as Announcements has it */
+export function tellUnlessCut(problems: Announcements, about: string, error: unknown): void {
+    if (!isDisconnected(error)) problems.tell(about, error);
+}
+
+const { leased } = errorCodes;
+
+/** Returns what the server has said against an edit; null: it has not answered. */
+export function refusalWords(error: unknown): string | null {
+    return error instanceof CallError && error.failure.kind === 'rpc' ? error.failure.message : null;
+}
+
+/** @param about what was edited */
+export function tellFailure({ problems }: AppState, about: string, error: unknown): void {
+    tellUnlessCut(problems, about, error);
+    // What was refused is as it was before; the next edit is about something else.
+    const words = problems.all.value.get(about);
+    if (words !== undefined) problems.sayUntil('edit', about, words);
+    // The hint is for scripts, which can take the rake away from others.
+    if (error instanceof CallError && error.failure.code === leased) {
+        problems.sayUntil('edit', about, `${error.failure.message}: wait until it is released`);
     }
 }

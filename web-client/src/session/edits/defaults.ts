@@ -1,5 +1,5 @@
-// Where further rakes and copies go, and what a rake is swept along, where no user has chosen. The first rake
-// and surface are the server's suggestion.
+// What is taken where no user has chosen: where further rakes and copies go, what a rake is swept along, and the field and value that a
+// level surface begins with. The first rake and surface are the server's suggestion.
 import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
 
 type Axis = 0 | 1 | 2;
@@ -99,4 +99,36 @@ function longestOf(axes: readonly Axis[], length: (axis: Axis) => number): Axis 
 
 function extent(bounds: Bounds, axis: Axis): number {
     return (bounds[axis * 2 + 1] ?? 0) - (bounds[axis * 2] ?? 0);
+}
+
+type Level = { field: string; level: number };
+
+/** Holds what surfaces have, and not the data. */
+const ofSurfaces = ['deformation', 'approximated', 'error'];
+
+export function levelFields({ surfaceFields, fields }: DatasetDescription): string[] {
+    const stored = (name: string): boolean => fields.some((field) => field.name === name);
+    return surfaceFields.filter((name) => stored(name) || !ofSurfaces.includes(name));
+}
+
+/** Over all that has been read; null: not known of what is derived. Of the velocity its magnitude's. */
+export function describedRange({ fields }: DatasetDescription, name: string): readonly [number, number] | null {
+    const [low = null, high = null] = fields.find((field) => field.name === name)?.range ?? [];
+    return low !== null && high !== null && low < high ? [low, high] : null;
+}
+
+/** Returns the middle of the field's range. Zero will do where that is not known: such fields have both
+ *  signs, or say what they range over. */
+export function levelOf(dataset: DatasetDescription, field: string): Level {
+    const range = describedRange(dataset, field);
+    return { field, level: range === null ? 0 : Number(((range[0] + range[1]) / 2).toPrecision(4)) };
+}
+
+/** Returns a level of the first stored scalar that says more than where the body is; else of the speed. */
+export function firstLevel(dataset: DatasetDescription): Level {
+    const scalar = dataset.fields.find(
+        ({ name, components }) =>
+            components === 1 && name !== 'mask' && dataset.surfaceFields.includes(name) && describedRange(dataset, name) !== null,
+    );
+    return levelOf(dataset, scalar?.name ?? dataset.velocity);
 }

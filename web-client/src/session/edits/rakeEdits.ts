@@ -8,7 +8,7 @@ import { fitted, type RakeShape } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { refusalWords, tellFailure } from './editFailures.ts';
+import { refusalWords, tellFailure } from '../base/calls.ts';
 import type { Gestures } from './gestures.ts';
 import type { UndoHistory } from './undoHistory.ts';
 

@@ -6,7 +6,7 @@ import type { SurfaceEpoch, SurfaceRecord, SurfaceSetting } from '../../protocol
 import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { refusalWords, tellFailure } from './editFailures.ts';
+import { refusalWords, tellFailure } from '../base/calls.ts';
 import type { Gestures } from './gestures.ts';
 import { fulfils, intentOf, settingOf, type SurfaceIntent, withSecondCurve } from './surfaceIntent.ts';
 import { adapted } from './surfaceTimes.ts';

@@ -4,7 +4,7 @@ import { computed, signal } from '@preact/signals-core';
 import type { HistoryDepth } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { tellFailure } from './editFailures.ts';
+import { tellFailure } from '../base/calls.ts';
 import { isolated } from '../../state/announcements.ts';
 
 type Way = 'undo' | 'redo';

@@ -3,18 +3,16 @@
 import { effect, signal } from '@preact/signals-core';
 import type { ClockRecord, SurfaceRecord } from '../../protocol/messages.ts';
 import type { BodyFlow } from '../picture/bodyFlow.ts';
-import { timeText } from '../picture/writtenNumbers.ts';
+import { timeText, withUnit } from '../picture/writtenNumbers.ts';
 import type { ScreenSize } from '../../scene/base/view.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { Edits } from '../edits/edits.ts';
-import type { Figure } from './figure.ts';
+import { type Figure, unfinishedSurface } from './figure.ts';
 import type { Playback } from '../time/playback.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { automaticRanges } from '../picture/colourRanges.ts';
-import { withUnit } from '../picture/unitsInPicture.ts';
+import { automaticRanges } from '../picture/surfaceStyleOf.ts';
 import { canEncode, VideoEncoding } from './videoEncoding.ts';
-import { unfinishedSurface } from './wholeSurface.ts';
 
 const patienceMs = 60_000;
 const askAgainMs = 5000;

@@ -2,7 +2,7 @@
 // with what it shows now.
 import { signal } from '@preact/signals-core';
 import { faultOf, type OwnServer, requestWords } from '../../connection/ownServer.ts';
-import { type MeshFile, meshPath } from './scriptStep.ts';
+import { type MeshFile, meshPath } from './scripts.ts';
 
 export interface DownloadProgress {
     state: 'idle' | 'waiting' | 'failed';

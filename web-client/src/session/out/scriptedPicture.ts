@@ -5,9 +5,8 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import type { Figure } from './figure.ts';
+import { type Figure, unfinishedSurface } from './figure.ts';
 import type { BodyFlow } from '../picture/bodyFlow.ts';
-import { unfinishedSurface } from './wholeSurface.ts';
 
 export interface ScriptedSetting {
     width: number;

@@ -1,8 +1,6 @@
 import { execFileSync } from 'node:child_process';
 import { describe, expect, it } from 'vitest';
-import { curlScript, quoted } from './curlScript.ts';
-import { pythonScript } from './pythonScript.ts';
-import { type CallStep, KeptId, type ScriptStep } from './scriptStep.ts';
+import { type CallStep, curlScript, KeptId, pythonScript, quoted, type ScriptStep } from './scripts.ts';
 
 const place = { server: 'http://127.0.0.1:8080/some/prefix', session: 'main' };
 /** Everything that a language might take for the end of a text. */

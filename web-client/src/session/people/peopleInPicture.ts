@@ -1,9 +1,12 @@
-// Shows the others in the picture as they come, move and go.
+// The others in the picture as they come, move and go; and what this page's pointer is on, for them: nothing while there are none.
 import { effect } from '@preact/signals-core';
+import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
 import { PeopleLayer } from '../../scene/people/peopleLayer.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import type { Sight } from '../tools/pointTools.ts';
+import type { People } from './people.ts';
 
 export function showPeople(state: AppState, view: ViewState, scene: FlowScene): void {
     const layer = new PeopleLayer(scene.labels);
@@ -14,4 +17,46 @@ export function showPeople(state: AppState, view: ViewState, scene: FlowScene): 
         layer.set(others.filter(({ participant, connected }) => connected && !unseen.includes(participant)));
         scene.loop.request();
     });
+}
+
+/** Looking up what is under the pointer draws the surfaces once more. */
+const lookEveryMs = 100;
+
+export interface PointingOptions extends Pick<Sight, 'pick'> {
+    state: AppState;
+    people: People;
+    requestFrame: () => void;
+}
+
+export class Pointing implements PointerTool {
+    private readonly options: PointingOptions;
+    private at: Pointer | null = null;
+    private changed = false;
+    private lookedAt = 0;
+
+    constructor(options: PointingOptions) {
+        this.options = options;
+    }
+
+    watch(pointer: Pointer | null): void {
+        if (this.options.state.participants.value.size < 2) return;
+        this.at = pointer;
+        this.changed = true;
+        this.options.requestFrame();
+    }
+
+    /** Called at the start of every frame. */
+    flush(): void {
+        const now = performance.now();
+        if (!this.changed) return;
+        if (this.at !== null && now - this.lookedAt < lookEveryMs) {
+            // The last place counts, also when the pointer stays there.
+            setTimeout(this.options.requestFrame, lookEveryMs);
+            return;
+        }
+        this.changed = false;
+        this.lookedAt = now;
+        const hit = this.at === null ? null : this.options.pick(this.at.at);
+        this.options.people.tell({ pointer: hit?.point ?? null });
+    }
 }

@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { AppState } from '../../state/appState.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
-import type { ShowWish } from '../../worker/workerMessages.ts';
+import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { surfaceOf } from '../../testing/records.ts';
+import type { ShowWish } from '../../worker/workerMessages.ts';
 import { showLooks } from './looksInPicture.ts';
 
 function bench() {

@@ -1,14 +1,15 @@
-// The looks on their way to the picture: as styles to the scene, and as what is needed to the worker.
-import { effect } from '@preact/signals-core';
+// The looks on their way to the picture: as styles to the scene, and as what is needed to the worker, with the number of pixels that a unit
+// of length has where the camera looks, which curved cells are cut by. Surfaces that this page hides have no subscription.
+import { effect, type Signal } from '@preact/signals-core';
+import type { CameraControls } from '../../scene/camera/cameraControls.ts';
 import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
-import { planeNumbers } from '../../state/pageView.ts';
+import { planeNumbers, showsSurface } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { automaticRanges } from './colourRanges.ts';
-import { attributesOf, styleOf } from './surfaceStyleOf.ts';
+import { attributesOf, automaticRanges, styleOf } from './surfaceStyleOf.ts';
 
 export interface LooksOptions {
     state: AppState;
@@ -91,4 +92,43 @@ function flowTexture({ state, scene }: Pick<LooksOptions, 'state' | 'scene'>): v
         scene.loop.requestNext();
     });
     calm.addEventListener('change', scene.loop.request);
+}
+
+const restMs = 300;
+
+/** In powers of two: what has been cut is good for some zooming. */
+export function measurePixels(
+    controls: Pick<CameraControls, 'onMove' | 'pose' | 'fov'>,
+    { dataset }: Pick<AppState, 'dataset'>,
+    pixels: Signal<number>,
+): void {
+    let rest: ReturnType<typeof setTimeout> | undefined;
+    const measure = (): void => {
+        const { position, target } = controls.pose;
+        const away = Math.hypot(...position.map((x, i) => x - target[i]!));
+        const seen = 2 * Math.tan((controls.fov * Math.PI) / 360) * away;
+        const now = 2 ** Math.ceil(Math.log2((innerHeight * devicePixelRatio) / seen));
+        if (Number.isFinite(now)) pixels.value = now;
+    };
+    const moved = (): void => {
+        clearTimeout(rest);
+        rest = setTimeout(measure, restMs);
+    };
+    controls.onMove(moved);
+    effect(() => {
+        void dataset.value;
+        moved();
+    });
+}
+
+/** For as long as the page lives. */
+export function hideSurfaces(state: AppState, view: Pick<ViewState, 'visibility'>): void {
+    effect(() => {
+        const visibility = view.visibility.value;
+        const chosen = state.activeRake.value;
+        const hidden = [...state.surfaces.value.values()].filter((each) => !showsSurface(visibility, each, chosen));
+        const before = state.hiddenSurfaces.peek();
+        if (hidden.length === before.size && hidden.every(({ surface }) => before.has(surface))) return;
+        state.hiddenSurfaces.value = new Set(hidden.map(({ surface }) => surface));
+    });
 }

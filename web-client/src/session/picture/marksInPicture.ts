@@ -6,8 +6,8 @@ import { shortNumber, valueNumber } from '../../scene/base/numbers.ts';
 import { type MarkedLine, type Marker, MarkerLayer } from '../../scene/tools/markers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ProbeReading, ViewState } from '../../state/viewState.ts';
-import { distance } from '../tools/measuring.ts';
-import { withUnit } from './unitsInPicture.ts';
+import { distance } from '../tools/pointTools.ts';
+import { withUnit } from './writtenNumbers.ts';
 
 const probeColour = '#f0e442';
 const measureColour = '#56b4e9';

@@ -1,14 +1,17 @@
-// Says what is sent with a surface for a look, to every user. There is room for few fields, and other
-// people's looks use them too: what a look can do without takes no user's place, and what has to go is said.
+// What is sent with a surface for a look, to every user. There is room for few fields, and other people's looks use them too: what a look
+// can do without takes no user's place, and what has to go is said, as is what looks need and their surfaces do not carry, after a link or
+// a bookmark.
+import { effect } from '@preact/signals-core';
+import { normalNames } from '../../mesh/meshChange.ts';
 import { limits } from '../../protocol/generated/limits.ts';
 import type { SurfaceRecord } from '../../protocol/messages.ts';
-import { normalNames } from '../../mesh/meshChange.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { TurnAlong } from '../edits/undoHistory.ts';
+import type { OwnCopy } from '../sessions/ownCopy.ts';
 import { attributeOf, attributesOf, deformation, needsFlow } from './surfaceStyleOf.ts';
 
 export interface FieldsWanted {
@@ -95,4 +98,34 @@ function turnedAlong(view: FieldsOptions['view'], surface: string, before: Surfa
         },
         redo: () => view.changeLook(surface, change),
     };
+}
+
+export interface LackedFieldsOptions {
+    state: Pick<AppState, 'stage' | 'role' | 'surfaces' | 'hiddenSurfaces' | 'editsPending' | 'notices'>;
+    view: Pick<ViewState, 'lookOf'>;
+    ownCopy: Pick<OwnCopy, 'begin'>;
+}
+
+const lackedAbout = 'lacked fields';
+
+export function tellLackedFields({ state, view, ownCopy }: LackedFieldsOptions): void {
+    effect(() => {
+        // Those that are being asked for are on their way.
+        if (state.stage.value !== 'running' || state.editsPending.value) return;
+        const lacked = [...state.surfaces.value.values()].flatMap(({ surface, fields }) => {
+            const names = neededFields(view.lookOf(surface)).filter((name) => !fields.includes(name));
+            return names.length === 0 || state.hiddenSurfaces.value.has(surface) ? [] : [`${names.join(', ')} with ${surface}`];
+        });
+        if (lacked.length === 0) {
+            state.notices.solved(lackedAbout);
+            return;
+        }
+        const looksOn = state.role.value === 'viewer';
+        state.notices.say(
+            lackedAbout,
+            `This view needs what the server does not send: ${lacked.join('; ')}. It is drawn without. ` +
+                (looksOn ? 'Someone who can edit, or you in a copy, can choose it under Look.' : 'Choose it again under Look.'),
+            looksOn ? { label: 'Continue in a copy', act: () => void ownCopy.begin() } : null,
+        );
+    });
 }

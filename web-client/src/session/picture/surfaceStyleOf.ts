@@ -1,12 +1,14 @@
 // From the look that a user wants to what the picture needs: names become attributes, ranges those of the
 // dataset.
+import { normalNames } from '../../mesh/meshChange.ts';
 import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
-import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import { niceStep } from '../../scene/base/numbers.ts';
 import { steadyRange } from '../../scene/surface/colourMap.ts';
-import { normalNames } from '../../mesh/meshChange.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
+import type { ColourSource, SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
+import type { AppState } from '../../state/appState.ts';
 import { type AutomaticRange, type AutomaticRanges, meaningOf, type SurfaceLook } from '../../state/surfaceLook.ts';
+import type { ViewState } from '../../state/viewState.ts';
 
 export const deformation = 'deformation';
 export const vorticity = 'vorticity';
@@ -191,4 +193,34 @@ function sweepOf({ kind, sweep }: SurfaceRecord, speedRange: readonly [number, n
 
 function meanSpeed([slow, fast]: readonly [number, number]): number {
     return (slow + fast) / 2 || 1;
+}
+
+/**
+ * What colours stand for where no user has chosen it: one range for all surfaces that show the same field in this picture. A
+ * surface's values range over what the server tells everyone, so that people who come late, or reload, see the same colours;
+ * while it plays the range only grows.
+ */
+export function automaticRanges(
+    state: Pick<AppState, 'surfaces' | 'hiddenSurfaces' | 'valueRanges'>,
+    view: Pick<ViewState, 'lookOf'>,
+): AutomaticRanges {
+    const ranges = new Map<string, AutomaticRange>();
+    for (const [id, record] of state.surfaces.value) {
+        const look = view.lookOf(id);
+        if (state.hiddenSurfaces.value.has(id) || look.range !== null) continue;
+        const attribute = look.colourBy === 'age' ? 't' : attributeOf(look.colourBy);
+        const told = state.valueRanges.value.get(id)?.find((each) => each.attribute === attribute);
+        if (told === undefined) continue;
+        const meaning = meaningOf(look, record);
+        const other = ranges.get(meaning);
+        const { low, high, least, greatest } = told;
+        ranges.set(meaning, {
+            surfaces: (other?.surfaces ?? 0) + 1,
+            low: Math.min(low, other?.low ?? low),
+            high: Math.max(high, other?.high ?? high),
+            least: Math.min(least, other?.least ?? least),
+            greatest: Math.max(greatest, other?.greatest ?? greatest),
+        });
+    }
+    return ranges;
 }

@@ -1,9 +1,11 @@
-// Times and coordinates as the page writes them: as finely as those of the dataset ask for, however large
-// they are.
+// Times and coordinates as the page writes them: as finely as those of the dataset ask for, however large they are, in the units that
+// people of the session have typed, or else that the reader of the data knows.
+import { effect } from '@preact/signals-core';
 import { fieldNumber, finestStep, placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
-import type { AppState } from '../../state/appState.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState, Units } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { withUnit } from './unitsInPicture.ts';
+import type { Calls } from '../base/calls.ts';
 
 type TimeState = Pick<AppState, 'dataset' | 'surfaces'>;
 type PlaceState = Pick<AppState, 'dataset'>;
@@ -53,4 +55,34 @@ export function coordinateField(state: PlaceState, axis: number, value: number):
 function coordinateResolution({ dataset }: PlaceState, axis: number): number {
     const bounds = dataset.value?.bounds ?? [0, 0, 0, 0, 0, 0];
     return resolutionOf(bounds[2 * axis] ?? 0, bounds[2 * axis + 1] ?? 0);
+}
+
+export function showUnits(
+    state: Pick<AppState, 'dataset' | 'typedUnits'>,
+    view: Pick<ViewState, 'units'>,
+    scene: Pick<FlowScene, 'setUnit'>,
+): void {
+    effect(() => {
+        const { lengthUnit = '', timeUnit = '' } = state.dataset.value ?? {};
+        const { length, time } = state.typedUnits.value;
+        view.units.value = { length: length || lengthUnit, time: time || timeUnit };
+        scene.setUnit(view.units.value.length);
+    });
+}
+
+/** For every user in the session. An empty unit is as the data say. */
+export async function typeUnits(state: AppState, calls: Pick<Calls, 'try'>, change: Partial<Units>): Promise<void> {
+    const before = state.typedUnits.value;
+    const typed = { ...before, ...change };
+    const session = state.session.value;
+    if (session === null) return;
+    state.typedUnits.value = typed;
+    if ((await calls.try('session.setUnits', { session, ...typed })) === null && state.typedUnits.value === typed) {
+        state.typedUnits.value = before;
+    }
+}
+
+/** A number with its unit, if there is one. */
+export function withUnit(words: string, unit: string): string {
+    return unit === '' ? words : `${words} ${unit}`;
 }

@@ -3,10 +3,9 @@
 import { computed, signal } from '@preact/signals-core';
 import type { AppState } from '../../state/appState.ts';
 import type { Calls } from '../base/calls.ts';
-import { encodeLinkState } from '../view/linkState.ts';
-import { openFragment, writeFragment } from '../view/urlState.ts';
+import { encodeLinkState, openFragment, writeFragment } from '../view/urlState.ts';
 import type { Views } from '../view/views.ts';
-import { fitting } from './fitting.ts';
+import { fitting } from './sessionShelf.ts';
 
 export interface OwnCopyOptions {
     state: Pick<AppState, 'session' | 'sessionName' | 'stage' | 'copyOf'>;

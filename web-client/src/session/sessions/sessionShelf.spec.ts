@@ -1,12 +1,11 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import type { SessionEntry } from '../../protocol/messages.ts';
 import { OwnServer } from '../../connection/ownServer.ts';
+import type { SessionEntry } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
 import { answering, emptyStorage } from '../../testing/fakes.ts';
 import { CallError } from '../../worker/workerClient.ts';
-import { fitting } from './fitting.ts';
-import { rememberSession } from './knownSessions.ts';
-import { SessionShelf } from './sessionShelf.ts';
+import { rememberSession } from './joinSession.ts';
+import { fitting, SessionShelf } from './sessionShelf.ts';
 
 function entryOf(session: string, lastUsed = '2026-11-22T10:00:00Z'): SessionEntry {
     const counts = { participants: 0, rakes: 1, surfaces: 1, bookmarks: 0, annotations: 0 };

@@ -1,15 +1,14 @@
 // All sessions of the server and those in its trash, as the list shows them, and what can be done with them
 // there. What the server refuses is said in the list, which lies over everything else.
 import { computed, signal } from '@preact/signals-core';
+import { faultOf, type OwnServer, requestWords } from '../../connection/ownServer.ts';
 import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionEntry, SessionImported } from '../../protocol/messages.ts';
 import { Announcements, isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
-import { faultOf, type OwnServer, requestWords } from '../../connection/ownServer.ts';
 import { openFragment, writeFragment } from '../view/urlState.ts';
-import { fitting } from './fitting.ts';
-import { latestSession } from './knownSessions.ts';
+import { latestSession } from './joinSession.ts';
 
 const noPlace = 'Export the sessions that are no longer needed, and delete them.';
 const fullTrash = 'Permanently delete some sessions in the trash.';
@@ -229,4 +228,13 @@ async function sendSessionFile(server: Asked, file: Blob): Promise<SessionImport
 async function fetchThumbnail(server: Asked, session: string): Promise<Blob | null> {
     const reply = await server.fetch(`api/v1/sessions/${encodeURIComponent(session)}/thumbnail`);
     return reply.ok ? reply.blob() : null;
+}
+
+const mostBytes = 120;
+
+/** Cut between characters, so that it and what is put behind it fit. */
+export function fitting(name: string, end = ''): string {
+    const characters = [...name];
+    while (new TextEncoder().encode(characters.join('') + end).length > mostBytes) characters.pop();
+    return characters.join('') + end;
 }

@@ -8,7 +8,7 @@ import { type AppState, withEntry, withoutEntry } from '../../state/appState.ts'
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { SurfaceState } from '../../worker/workerMessages.ts';
-import { tellUnlessCut } from '../base/lostConnection.ts';
+import { tellUnlessCut } from '../base/calls.ts';
 
 const firstPauseMs = 500;
 const troublesAtMost = 4;

@@ -1,7 +1,11 @@
+import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { AppState } from '../../state/appState.ts';
+import type { SurfaceRecord, SurfaceStats } from '../../protocol/messages.ts';
+import { AppState, type DisplayedSurface, type Stage, type SurfaceStanding } from '../../state/appState.ts';
 import { answering } from '../../testing/fakes.ts';
-import { SurfaceProgress, type ToldProgress } from './surfaceProgress.ts';
+import { datasetOf, displayedOf, sampleStatistics, surfaceOf } from '../../testing/records.ts';
+import { intentOf } from '../edits/surfaceIntent.ts';
+import { faster, standingWords, SurfaceOutcomes, SurfaceProgress, type ToldProgress, untilHere } from './surfaceProgress.ts';
 
 interface Asked {
     method: string;
@@ -94,5 +98,122 @@ describe('SurfaceProgress', () => {
         expect(state.progress.value?.lasting).toBe('a while');
         progress.progressed(token, told({ seconds: 61 }));
         expect(state.progress.value?.lasting).toBe('long');
+    });
+});
+
+const view = { units: { value: { length: 'm', time: 's', speed: '' } } } as unknown as Parameters<typeof standingWords>[2];
+const standing: SurfaceStanding = {
+    ...{ surface: 's', fraction: 0.427, message: '', lasting: 'a while' },
+    ...{ time: 8.2, quads: 12_345, remaining: 8.4 },
+};
+
+function longPassBench(change: Parameters<typeof surfaceOf>[1] = {}) {
+    const record = surfaceOf('s', { kind: 'streak', from: 0, to: 19.2, separation: 0.1, ...change });
+    const state = new AppState();
+    state.dataset.value = datasetOf({ times: [0, 9.6, 19.2] });
+    state.surfaces.value = new Map([['s', record]]);
+    return { state, intent: intentOf(record) };
+}
+
+describe('standingWords', () => {
+    it('tells the simulation time, the quads and the seconds left', () => {
+        const { state } = longPassBench();
+        expect(standingWords(standing, state, view)).toBe('t = 8.2 of 19.2 s, 12\u202f345 quads, about 8 s left');
+    });
+
+    it('tells the part where a surface is not moved in time, and nothing that is not known', () => {
+        const { state } = longPassBench({ kind: 'stream' });
+        expect(standingWords({ ...standing, time: null, remaining: null }, state, view)).toBe('42 %, 12\u202f345 quads');
+        const unknown = { ...standing, fraction: null, time: null, quads: null, remaining: 200 };
+        expect(standingWords(unknown, state, view)).toBe('about 3 min left');
+    });
+});
+
+describe('what one can have instead', () => {
+    it('is Fast first, and half as many lines where it is fast already', () => {
+        const { intent } = longPassBench({ accuracy: 'balanced' });
+        expect(faster(intent, view)).toEqual([
+            { change: { accuracy: 'fast' }, words: 'Fast accuracy' },
+            { change: { separation: 0.2 }, words: 'Separation 0.2 m' },
+        ]);
+        expect(faster({ ...intent, accuracy: 'fast' }, view).map(({ change }) => change)).toEqual([{ separation: 0.2 }]);
+    });
+
+    it('ends where the work has come to, whichever way time runs, and never later', () => {
+        const { intent } = longPassBench();
+        const reached = { ...standing, time: 8.123_456 };
+        expect(untilHere(intent, reached, view)).toMatchObject({ words: 'Until t = 8.12 s' });
+        expect(untilHere(intent, reached, view)!.change.length).toBeCloseTo(8.12);
+        const backward = longPassBench({ from: 19.2, to: 0, direction: 'backward' }).intent;
+        const there = untilHere(backward, { ...standing, time: 11.075 }, view)!;
+        expect(there.change.length).toBeCloseTo(8.12);
+        expect(there.words).toBe('Until t = 11.08 s');
+    });
+
+    it('is no end where there is none: nothing reached, all of it, or no time to speak of', () => {
+        const { intent } = longPassBench();
+        for (const time of [null, 0, 19.2]) expect(untilHere(intent, { ...standing, time }, view)).toBeNull();
+    });
+});
+
+describe('the outcome of a surface', () => {
+    function displayed(stateSum: number, phase: DisplayedSurface['phase'] = 'final'): ReadonlyMap<string, DisplayedSurface> {
+        return new Map([['s1', displayedOf('s1', { stateSum, phase })]]);
+    }
+
+    function bench() {
+        const asked: string[] = [];
+        let answer: SurfaceStats | Error = sampleStatistics({ stateSum: 7, coarsened: true });
+        const state = {
+            displayed: signal(displayed(7, 'coarse')),
+            outcomes: signal<ReadonlyMap<string, SurfaceStats>>(new Map()),
+            stage: signal<Stage>('running'),
+            surfaces: signal<ReadonlyMap<string, SurfaceRecord>>(new Map([['s1', {} as SurfaceRecord]])),
+        };
+        const worker = {
+            call: (method: string) => {
+                asked.push(method);
+                return answer instanceof Error ? Promise.reject(answer) : Promise.resolve(answer);
+            },
+        } as unknown as ConstructorParameters<typeof SurfaceOutcomes>[0]['worker'];
+        const outcomes = new SurfaceOutcomes({ state, worker });
+        return { state, asked, outcomes, answers: (next: SurfaceStats | Error) => (answer = next) };
+    }
+
+    it('is asked for once where a page shows what was finished before it came', async () => {
+        const { state, asked } = bench();
+        expect(asked).toEqual([]);
+        state.displayed.value = displayed(7);
+        await Promise.resolve();
+        state.displayed.value = displayed(7);
+        expect(asked).toEqual(['surface.stats']);
+        expect(state.outcomes.value.get('s1')?.coarsened).toBe(true);
+    });
+
+    it('is not asked for where the server has told it', () => {
+        const { state, asked, outcomes } = bench();
+        outcomes.done(sampleStatistics({ stateSum: 9 }));
+        state.displayed.value = displayed(9);
+        expect(asked).toEqual([]);
+    });
+
+    it('goes with the surface, and does not come back with a late answer', async () => {
+        const { state, outcomes } = bench();
+        state.displayed.value = displayed(7);
+        await Promise.resolve();
+        expect([...state.outcomes.value.keys()]).toEqual(['s1']);
+        state.surfaces.value = new Map();
+        expect(state.outcomes.value.size).toBe(0);
+        outcomes.done(sampleStatistics({ stateSum: 9 }));
+        expect(state.outcomes.value.size).toBe(0);
+    });
+
+    it('is asked for again after a failure', async () => {
+        const { state, asked, answers } = bench();
+        answers(new Error('the connection was lost'));
+        state.displayed.value = displayed(7);
+        await new Promise((done) => setTimeout(done));
+        state.displayed.value = displayed(7);
+        expect(asked).toEqual(['surface.stats', 'surface.stats']);
     });
 });

@@ -1,8 +1,15 @@
-// Says how far a surface that takes long has come, and how to stop it. Short ones come and go without a word.
+// What the page says of the computation of a surface: how far one that takes long has come, how to stop it and what one could have instead;
+// and of a finished one whether it is as fine as it was asked for, and why there is nothing to see of it. Short ones come and go without a
+// word.
 import { computed, effect } from '@preact/signals-core';
-import type { AppState, SurfaceStanding } from '../../state/appState.ts';
+import type { SurfaceStats } from '../../protocol/messages.ts';
+import { shortNumber } from '../../scene/base/numbers.ts';
+import { type AppState, type SurfaceStanding, withEntry } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { Calls } from '../base/calls.ts';
+import type { SurfaceIntent } from '../edits/surfaceIntent.ts';
+import { timeWords, withUnit } from '../picture/writtenNumbers.ts';
 
 /** Is the time in milliseconds up to which there is no bar. */
 const patienceMs = 500;
@@ -94,5 +101,106 @@ export class SurfaceProgress {
         this.timers = [];
         this.token = '';
         if (this.options.state.progress.peek() !== null) this.options.state.progress.value = null;
+    }
+}
+
+/** Coarser by so much, where everything else is as fast as it gets. */
+const coarser = 2;
+/** Rounds an end to this part of the time that the surface was followed for. */
+const finestPart = 1000;
+
+/** Returns words like "t = 8.2 of 19.2, 12 345 quads, about 8 s left". Empty: there is nothing to say yet. */
+export function standingWords(
+    standing: SurfaceStanding,
+    state: Pick<AppState, 'dataset' | 'surfaces'>,
+    view: Pick<ViewState, 'units'>,
+): string {
+    const words: string[] = [];
+    const to = state.surfaces.value.get(standing.surface)?.to;
+    if (standing.time !== null && to !== undefined) {
+        const reached = shortNumber(standing.time);
+        words.push(`t = ${reached} of ${timeWords(state, view, to)}`);
+    } else if (standing.fraction !== null) words.push(`${Math.floor(100 * standing.fraction)} %`);
+    if (standing.quads !== null) words.push(`${standing.quads.toLocaleString('en').replaceAll(',', '\u202f')} quads`);
+    if (standing.remaining !== null) words.push(leftWords(standing.remaining));
+    return words.join(', ');
+}
+
+function leftWords(seconds: number): string {
+    const about = (count: number, unit: string): string => `about ${Math.max(1, Math.round(count))} ${unit} left`;
+    if (seconds < 90) return about(seconds, 's');
+    return seconds < 5400 ? about(seconds / 60, 'min') : about(seconds / 3600, 'h');
+}
+
+/** A surface that takes less, and words for it. */
+export interface LessWork {
+    change: Partial<SurfaceIntent>;
+    words: string;
+}
+
+/** First what costs least of the picture. */
+export function faster(intent: SurfaceIntent, view: Pick<ViewState, 'units'>): LessWork[] {
+    const separation = intent.separation * coarser;
+    const coarse = { change: { separation }, words: `Separation ${withUnit(shortNumber(separation), view.units.value.length)}` };
+    if (intent.accuracy === 'fast') return [coarse];
+    return [{ change: { accuracy: 'fast' }, words: 'Fast accuracy' }, coarse];
+}
+
+/** Ends where the work has come to; null: of a surface all of which is at one time there is no shorter
+ *  one. */
+export function untilHere(intent: SurfaceIntent, standing: SurfaceStanding, view: Pick<ViewState, 'units'>): LessWork | null {
+    if (standing.time === null) return null;
+    const unit = 10 ** Math.floor(Math.log10(intent.length / finestPart));
+    const length = Math.floor(Math.abs(standing.time - intent.from) / unit) * unit;
+    if (!(length > 0 && length < intent.length)) return null;
+    const end = intent.from + (intent.direction === 'backward' ? -length : length);
+    return { change: { length }, words: `Until t = ${withUnit(shortNumber(end), view.units.value.time)}` };
+}
+
+export interface SurfaceOutcomesOptions {
+    state: Pick<AppState, 'displayed' | 'outcomes' | 'stage' | 'surfaces'>;
+    worker: Pick<WorkerClient, 'call'>;
+}
+
+/** Counts are announced as a surface is finished, and asked for where this page came later. */
+export class SurfaceOutcomes {
+    private readonly options: SurfaceOutcomesOptions;
+    /** States that were asked for once, by surface. */
+    private readonly asked = new Map<string, number>();
+
+    constructor(options: SurfaceOutcomesOptions) {
+        this.options = options;
+        const { state } = options;
+        effect(() => {
+            const there = state.surfaces.value;
+            for (const surface of this.asked.keys()) if (!there.has(surface)) this.asked.delete(surface);
+            const { outcomes } = state;
+            const kept = [...outcomes.peek()].filter(([surface]) => there.has(surface));
+            if (kept.length < outcomes.peek().size) outcomes.value = new Map(kept);
+        });
+        effect(() => {
+            if (state.stage.value !== 'running') return;
+            for (const { surface, phase, stateSum } of state.displayed.value.values()) {
+                if (phase === 'final') this.ask(surface, stateSum);
+            }
+        });
+    }
+
+    /** From the notification surface.done. That of a surface which is gone is no user's. */
+    done(stats: SurfaceStats | undefined): void {
+        const { outcomes, surfaces } = this.options.state;
+        if (stats === undefined || !surfaces.peek().has(stats.surface)) return;
+        outcomes.value = withEntry(outcomes.value, stats.surface, stats);
+    }
+
+    private ask(surface: string, stateSum: number): void {
+        const { state, worker } = this.options;
+        if (this.asked.get(surface) === stateSum || state.outcomes.peek().get(surface)?.stateSum === stateSum) return;
+        this.asked.set(surface, stateSum);
+        // Where there is no answer, the surface is gone or the connection is.
+        worker.call('surface.stats', { surface }).then(
+            (stats) => this.done(stats),
+            () => this.asked.delete(surface),
+        );
     }
 }

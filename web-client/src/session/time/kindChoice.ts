@@ -4,7 +4,7 @@ import type { SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Edits } from '../edits/edits.ts';
-import { firstLevel } from '../edits/levelFields.ts';
+import { firstLevel } from '../edits/defaults.ts';
 import { followed } from '../edits/surfaceTimes.ts';
 import type { SurfaceIntent } from '../edits/surfaceIntent.ts';
 import type { ClockControl } from './clockControl.ts';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { clampTo, nearestStep, otherSide, releasedSpan, stepFrom, timelineSpan, stepTicks } from './timeSteps.ts';
+import { clampTo, nearestStep, otherSide, releasedSpan, stepFrom, stepTicks, timelineSpan } from './timeSteps.ts';
 
 const times = [8.5, 9, 10, 10.25, 16];
 

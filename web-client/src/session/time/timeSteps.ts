@@ -1,6 +1,7 @@
 // Arithmetic of the time-steps: the nearest, the next, what the timeline spans, and its numbers.
 import type { SurfaceKind } from '../../protocol/messages.ts';
 import { labelForm, niceTicks, type Ticks } from '../../scene/base/numbers.ts';
+import type { AppState } from '../../state/appState.ts';
 
 export type Span = readonly [low: number, high: number];
 
@@ -83,4 +84,10 @@ function decimalsOf(values: readonly number[], gap: number): number {
         if (values.every((value) => Math.abs(Number(value.toFixed(decimals)) - value) <= 0.01 * gap)) return decimals;
     }
     return 12;
+}
+
+/** Returns the time of the selected surface; where there is none, of the clock or of the first time-step. */
+export function shownTime({ activeSurface, displayed, clock, times }: AppState): number {
+    const shown = displayed.value.get(activeSurface.value ?? '');
+    return shown?.time ?? clock.value?.time ?? times.value[0] ?? 0;
 }

@@ -16,9 +16,8 @@ import {
 } from '../../state/pageView.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { encodeLinkState } from './linkState.ts';
-import type { MadeAnew } from './madeAnew.ts';
-import { showFragment, type UrlState, writeFragment } from './urlState.ts';
+import { encodeLinkState, showFragment, type UrlState, writeFragment } from './urlState.ts';
+import type { MadeAnew } from './sessionRecovery.ts';
 
 /** Browsers refuse more than 100 changes of the address in 30 s. */
 const addressRestMs = 500;

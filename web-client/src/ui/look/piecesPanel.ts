@@ -1,7 +1,7 @@
 // Lines, ribbons and arrows that are shown instead of all of the selected surface.
 import { html, nothing, type TemplateResult } from 'lit';
 import type { PieceKind, SurfaceLook } from '../../state/surfaceLook.ts';
-import { seedLinesOf } from '../../session/out/pieceText.ts';
+import { seedLinesOf } from '../../session/out/exportNames.ts';
 import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
 import { hasFlow, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
 import type { SurfaceRecord } from '../../protocol/messages.ts';

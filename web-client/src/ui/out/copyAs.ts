@@ -3,9 +3,7 @@
 //     <wakesurf-copy-as .model=${model} .calls=${() => [{ method, params }]}></wakesurf-copy-as>
 import { css, html, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
-import { curlScript } from '../../session/out/curlScript.ts';
-import { pythonScript } from '../../session/out/pythonScript.ts';
-import type { ScriptStep } from '../../session/out/scriptStep.ts';
+import { curlScript, pythonScript, type ScriptStep } from '../../session/out/scripts.ts';
 import { baseUrl, readFragment } from '../../session/view/urlState.ts';
 import type { AppState } from '../../state/appState.ts';
 import { copyText } from '../base/copyText.ts';

@@ -2,11 +2,9 @@
 import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
 import { meshSteps } from '../../session/out/panelSteps.ts';
-import { pieceText } from '../../session/out/pieceText.ts';
-import type { MeshFile } from '../../session/out/scriptStep.ts';
-import { meshIsCoarse } from '../../session/out/coarse.ts';
+import { meshIsCoarse, meshTimeWords, pieceText } from '../../session/out/exportNames.ts';
+import type { MeshFile } from '../../session/out/scripts.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
-import { meshTimeWords } from '../../session/out/exportedTime.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import './copyAs.ts';

@@ -1,8 +1,7 @@
 // The rakes of the session: choose one, give it a name and a colour, make, copy and delete, undo and redo.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { RakeRecord } from '../../protocol/messages.ts';
-import { rakeColour } from '../../session/picture/palette.ts';
-import { holderOf } from '../../session/picture/rakeScene.ts';
+import { holderOf, rakeColour } from '../../session/picture/rakesInPicture.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';

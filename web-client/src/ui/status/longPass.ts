@@ -1,9 +1,9 @@
 // A surface that takes long: how far it is, and what one could have instead.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Edits } from '../../session/edits/edits.ts';
-import { meshIsCoarse } from '../../session/out/coarse.ts';
+import { meshIsCoarse } from '../../session/out/exportNames.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
-import { faster, type LessWork, standingWords, untilHere } from '../../session/surface/longPass.ts';
+import { faster, type LessWork, standingWords, untilHere } from '../../session/surface/surfaceProgress.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { ModelElement } from '../base/signalElement.ts';

@@ -4,7 +4,7 @@ import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
-import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import type { SurfaceStats } from '../../protocol/messages.ts';
 import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
 import type { AppState, SurfacePhase } from '../../state/appState.ts';

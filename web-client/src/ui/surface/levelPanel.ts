@@ -6,7 +6,7 @@ import { live } from 'lit/directives/live.js';
 import type { DatasetDescription } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { describedRange, levelFields, levelOf } from '../../session/edits/levelFields.ts';
+import { describedRange, levelFields, levelOf } from '../../session/edits/defaults.ts';
 import { numberRow, selectRow } from '../base/rows.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Families, FamilyChoice } from '../../session/surface/families.ts';

@@ -15,7 +15,7 @@ import { diagonal } from '../../scene/camera/cameraControls.ts';
 import { surfacesOf } from '../../session/edits/selection.ts';
 import type { SurfaceIntent } from '../../session/edits/surfaceIntent.ts';
 import { cutBackAt, directionsOf, followed, longestLength } from '../../session/edits/surfaceTimes.ts';
-import { withUnit } from '../../session/picture/unitsInPicture.ts';
+import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import type { Families } from '../../session/surface/families.ts';
 import type { AppState } from '../../state/appState.ts';

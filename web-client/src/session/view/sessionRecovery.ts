@@ -1,0 +1,123 @@
+// Recovery of a session that the server has forgotten, from what the page or its link remembers.
+import type { AnnotationRecord, BookmarkRecord, RakeRecord, SessionSnapshot, SurfaceRecord } from '../../protocol/messages.ts';
+import type { AppState } from '../../state/appState.ts';
+import { readPageView, renamedView } from '../../state/pageView.ts';
+import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
+import { settingAnew } from '../edits/surfaceIntent.ts';
+import type { UrlState } from './urlState.ts';
+
+export interface Remembered {
+    rakes: RakeRecord[];
+    surfaces: SurfaceRecord[];
+    bookmarks: BookmarkRecord[];
+    annotations: AnnotationRecord[];
+}
+
+/** Names in the former session -> names in the new one, of what could be made; and why the rest could not. */
+export interface MadeAnew {
+    rakes: Map<string, string>;
+    surfaces: Map<string, string>;
+    /** Null: all is there. */
+    missing: string | null;
+}
+
+/** Returns what this page has had, or else what its link says. Rakes have the shape on the screen, which may
+ *  be ahead of the record. */
+export function rememberedOf(state: AppState, url: UrlState): Remembered {
+    const [records, surfaces] = [[...state.rakes.value.values()], [...state.surfaces.value.values()]];
+    const [bookmarks, annotations] = [[...state.bookmarks.value.values()], [...state.annotations.value.values()]];
+    const known = records.length + bookmarks.length + annotations.length > 0;
+    if (!known && url.state !== null) return { rakes: url.state.rakes, surfaces: url.state.surfaces, bookmarks, annotations };
+    const [active, shape] = [state.rake.value?.rake, state.rakeShape.value];
+    const rakes = records.map((record) => {
+        if (record.rake !== active || shape.points.length === 0) return record;
+        return { ...record, kind: shape.kind, points: [...shape.points] };
+    });
+    return { rakes, surfaces, bookmarks, annotations };
+}
+
+export function isNothing({ rakes, bookmarks, annotations }: Remembered): boolean {
+    return rakes.length + bookmarks.length + annotations.length === 0;
+}
+
+/**
+ * Each record by itself: what the server refuses of a link is missed, and the rest is there.
+ * @param there  made in an earlier attempt, which a lost connection has ended
+ */
+export async function makeAnew(
+    worker: Pick<WorkerClient, 'call'>,
+    remembered: Remembered,
+    there: Pick<SessionSnapshot, 'rakes' | 'surfaces'> & Partial<SessionSnapshot> = { rakes: [], surfaces: [] },
+): Promise<MadeAnew> {
+    const [rakes, surfaces] = [new Map<string, string>(), new Map<string, string>()];
+    const refusals = new Refusals();
+    const left = { rakes: [...there.rakes], surfaces: [...there.surfaces] };
+    for (const { rake, seeds, name, colour = '', kind, points } of remembered.rakes) {
+        const setting = { kind, points: [...points], seeds, name, ...(colour === '' ? {} : { colour }) };
+        const now =
+            taken(left.rakes, (each) => each.name === name && JSON.stringify(each.points) === JSON.stringify(points)) ??
+            (await refusals.of('rake', () => worker.call('rake.set', setting)));
+        if (now !== null) rakes.set(rake, now.rake);
+    }
+    for (const record of remembered.surfaces) {
+        const setting = settingAnew(record, rakes);
+        const now =
+            taken(left.surfaces, (each) => each.rake === setting?.rake && each.kind === setting.kind) ??
+            (await refusals.of('surface', setting === null ? null : () => worker.call('surface.set', setting)));
+        if (now !== null) surfaces.set(record.surface, now.surface);
+    }
+    const notes = (there.annotations ?? []).map(({ text }) => text);
+    for (const { text, position, surface = '' } of remembered.annotations) {
+        const on = surfaces.get(surface);
+        if (taken(notes, (each) => each === text) !== null) continue;
+        await refusals.of('note', () =>
+            worker.call('annotation.set', { text, position, ...(on === undefined ? {} : { surface: on }) }),
+        );
+    }
+    const views = (there.bookmarks ?? []).map(({ name }) => name);
+    for (const { name, view, time } of remembered.bookmarks) {
+        if (taken(views, (each) => each === name) !== null) continue;
+        const setting = {
+            name,
+            view: { ...renamedView(readPageView(view), surfaces, rakes) },
+            ...(time === undefined ? {} : { time }),
+        };
+        await refusals.of('view', () => worker.call('bookmark.set', setting));
+    }
+    return { rakes, surfaces, missing: refusals.words };
+}
+
+/** Describes what could not be made, by its kind, and the first reason. */
+class Refusals {
+    private readonly counts = new Map<string, number>();
+    private why = '';
+
+    /** Null where it is refused. @param make null: something that it needs is missing */
+    async of<Made>(kind: string, make: (() => Promise<Made>) | null): Promise<Made | null> {
+        try {
+            if (make !== null) return await make();
+        } catch (error) {
+            this.why ||= refusalOf(error);
+        }
+        this.counts.set(kind, (this.counts.get(kind) ?? 0) + 1);
+        return null;
+    }
+
+    get words(): string | null {
+        if (this.counts.size === 0) return null;
+        const missing = [...this.counts].map(([kind, count]) => `${count} ${kind}${count === 1 ? '' : 's'}`).join(' and ');
+        return `Not recreated: ${missing}${this.why === '' ? '' : `. ${this.why}`}`;
+    }
+}
+
+/** The first that fits, which fits nothing else any more. */
+function taken<Record>(from: Record[], fits: (each: Record) => boolean): Record | null {
+    const at = from.findIndex(fits);
+    return at < 0 ? null : from.splice(at, 1)[0]!;
+}
+
+/** Returns what the server has said; without a connection nothing more can be made at all. */
+function refusalOf(error: unknown): string {
+    if (!(error instanceof CallError) || error.failure.kind === 'disconnected') throw error;
+    return error.message;
+}
