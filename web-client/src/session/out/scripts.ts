@@ -1,5 +1,5 @@
 // What a panel shows as a script that does the same: its calls of the server, spelled for Python, with the client that the server gives
-// away (protocol/python), or for curl.
+// away (python), or for curl.
 
 export type MeshFormat = 'vtp' | 'glb' | 'ply' | 'obj' | 'drc';
 
