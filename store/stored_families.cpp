@@ -3,7 +3,7 @@
 #include "core/base/crc32c.hpp"
 #include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
-#include "protocol/api/family_json.hpp"
+#include "protocol/api/dataset_json.hpp"
 #include "store/folder_changes.hpp"
 #include "store/store_layout.hpp"
 

@@ -1,6 +1,6 @@
 #include "protocol/api/messages_presence.hpp"
 
-#include "protocol/api/base/point_json.hpp"
+#include "protocol/api/base/list_json.hpp"
 
 #include <nlohmann/json.hpp>
 

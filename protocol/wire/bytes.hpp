@@ -1,6 +1,8 @@
 // Little-endian numbers and varints in byte strings: the atoms of the binary wire.
 #pragma once
 
+#include "core/base/result.hpp"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -8,10 +10,18 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::protocol {
+
+/// The error for bytes that no server of ours wrote.
+inline tl::unexpected<core::Error> corrupt(std::string message) {
+    return core::fail(core::Error::Code::Corrupt, std::move(message),
+                      "subscribe to the surface again");
+}
 
 static_assert(std::endian::native == std::endian::little,
               "numbers are copied as they lie in memory");

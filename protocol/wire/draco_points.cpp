@@ -1,6 +1,6 @@
 #include "protocol/wire/draco_points.hpp"
 
-#include "protocol/wire/corrupt.hpp"
+#include "protocol/wire/bytes.hpp"
 
 #include <draco/compression/decode.h>
 #include <draco/compression/expert_encode.h>

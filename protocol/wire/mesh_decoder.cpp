@@ -1,7 +1,6 @@
 #include "protocol/wire/mesh_decoder.hpp"
 
-#include "protocol/wire/corrupt.hpp"
-#include "protocol/wire/wire_draft.hpp"
+#include "protocol/wire/bytes.hpp"
 #include "protocol/wire/wire_edit.hpp"
 #include "protocol/wire/wire_points.hpp"
 #include "protocol/wire/wire_residuals.hpp"

@@ -1,6 +1,6 @@
 #include "protocol/wire/mesh_frame.hpp"
 
-#include "protocol/wire/corrupt.hpp"
+#include "protocol/wire/bytes.hpp"
 #include "protocol/wire/lattice.hpp"
 
 #include <fmt/format.h>

@@ -4,6 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/surface/keyed_mesh.hpp"
+#include "core/surface/quad_complex.hpp"
 #include "protocol/wire/bytes.hpp"
 #include "protocol/wire/lattice.hpp"
 #include "protocol/wire/mesh_frame.hpp"
@@ -15,6 +16,15 @@
 #include <vector>
 
 namespace wakesurf::protocol {
+
+/// The check before Draco, whose encoder hangs on a NaN, aborts on an infinity and takes gigabytes for an
+/// outlier.
+/// Checks that a mesh may be encoded: every position finite and on the lattice, every cell's vertices
+/// present, and with `attributes` a finite speed, s and t for each vertex. Error: InvalidArgument for the
+/// lattice, OutOfDomain for positions and Corrupt for the rest, stating the count and the first. Cost:
+/// O(vertices + cells).
+core::Result<void>
+guard_mesh(const core::QuadComplex& mesh, const Lattice& lattice, bool attributes);
 
 /// Bounds the errors of a state, in lattice units and in codes. At most 32767.
 struct Tolerance {

@@ -1,6 +1,6 @@
 #include "protocol/wire/numbers.hpp"
 
-#include "protocol/wire/corrupt.hpp"
+#include "protocol/wire/bytes.hpp"
 
 #include <zlib.h>
 

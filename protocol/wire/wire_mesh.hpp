@@ -2,18 +2,57 @@
 // protocol/wire/FORMAT.md, State. Twin: web-client/src/protocol/wireMesh.ts.
 #pragma once
 
+#include "core/surface/quad_complex.hpp"
 #include "protocol/wire/lattice.hpp"
-#include "protocol/wire/wire_topology.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string_view>
 #include <vector>
 
 namespace wakesurf::protocol {
+
+/// A checksum of 32 bit words that scripts and vector units compute fast: sums, and sums of sums, in four
+/// lanes. protocol/wire/FORMAT.md, State sum. Twin: web-client/src/protocol/wireMesh.ts.
+/// Returns the checksum, which finds accidents, not intent: any change of one word, and nearly all others.
+std::uint32_t word_sum(std::span<const std::uint32_t> words);
+
+/// Returns the checksum of codes, each one word.
+std::uint32_t word_sum(std::span<const std::uint16_t> codes);
+
+/// The cells of a state, and for each vertex the neighbours of lower index, which predictions need.
+/// protocol/wire/FORMAT.md, Neighbours. Twin: web-client/src/protocol/wireMesh.ts.
+/// Names the neighbours of one vertex, all below it; `core::no_vertex` for a missing one.
+struct Neighbours {
+    std::uint32_t highest = core::no_vertex; ///< a
+    std::uint32_t lowest = core::no_vertex;  ///< b
+    /// p, of the first cell whose other corners are all lower.
+    std::uint32_t beside = core::no_vertex;
+    std::uint32_t beside2 = core::no_vertex; ///< n
+    /// o; missing if p and n are the ends of the side that the vertex hangs on.
+    std::uint32_t opposite = core::no_vertex;
+
+    bool operator==(const Neighbours&) const = default;
+};
+
+/// The cells and neighbours of a mesh. Immutable, and shared by all states with the same cells.
+struct WireTopology {
+    std::vector<core::Cell> cells;      ///< in the order of the wire
+    std::vector<Neighbours> neighbours; ///< one a vertex
+
+    /// REQUIRES: every id of the cells is below `vertices`. Cost: O(vertices + cells).
+    WireTopology(std::vector<core::Cell> cells, std::size_t vertices);
+
+    /// Extends `before`, whose cells come first in `cells` and have kept their vertices. Reads only the other
+    /// cells.
+    WireTopology(const WireTopology& before, std::vector<core::Cell> cells, std::size_t vertices);
+
+    WireTopology() = default;
+};
 
 /// The attributes of every surface's vertices, in the order of the wire; the surface's fields follow.
 inline constexpr std::array<std::string_view, 3> surface_attributes{"speed", "s", "t"};

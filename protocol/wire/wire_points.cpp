@@ -1,6 +1,6 @@
 #include "protocol/wire/wire_points.hpp"
 
-#include "protocol/wire/corrupt.hpp"
+#include "protocol/wire/bytes.hpp"
 #include "protocol/wire/draco_points.hpp"
 
 #include <algorithm>

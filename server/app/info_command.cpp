@@ -1,7 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "protocol/api/family_json.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/stop_tokens.hpp"

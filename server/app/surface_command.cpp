@@ -5,7 +5,7 @@
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/vertex_times.hpp"
 #include "protocol/api/base/json_text.hpp"
-#include "protocol/api/base/point_json.hpp"
+#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/api/generated/surface_options.hpp"

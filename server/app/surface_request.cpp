@@ -2,7 +2,7 @@
 
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/rake.hpp"
-#include "protocol/api/base/point_json.hpp"
+#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/surface_options.hpp"

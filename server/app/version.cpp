@@ -1,6 +1,6 @@
 #include "server/app/version.hpp"
 
-#include "protocol/api/api_level.hpp"
+#include "protocol/api/openrpc.hpp"
 #include "protocol/api/session_file.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "server/sessions/journal/state_layout.hpp"

@@ -8,6 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -17,6 +18,26 @@
 #include <vector>
 
 namespace wakesurf::protocol {
+
+/// A parameter of which null says something else than leaving it out.
+/// Given without a value: null.
+template <class T>
+struct Nullable {
+    bool given = false;
+    std::optional<T> value;
+
+    bool operator==(const Nullable&) const = default;
+};
+
+/// Colours, as they are written in messages and records.
+/// #rrggbb
+constexpr bool is_colour(std::string_view text) {
+    const auto digit = [](char c) {
+        return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
+    };
+    return text.size() == 7 && text.front() == '#' &&
+           std::all_of(text.begin() + 1, text.end(), digit);
+}
 
 // Bounds that bound nothing: what a description leaves open.
 inline constexpr double any_number = std::numeric_limits<double>::max();

@@ -12,6 +12,18 @@
 
 namespace wakesurf::protocol {
 
+/// Why a text is not taken for JSON, in words that name the place: most often a script has sent NaN.
+struct JsonFault {
+    std::string message;
+    std::string hint;
+};
+
+/// REQUIRES: nlohmann::json::parse refuses the text. Cost: as parsing it.
+JsonFault json_fault(std::string_view text);
+
+/// REQUIRES: JSON of which an object has a member twice.
+JsonFault member_twice(std::string_view text);
+
 struct JsonLimits {
     std::size_t bytes = std::size_t{64} << 10;
     std::size_t depth = 32;

@@ -29,7 +29,7 @@ def limit_name(api, name):
 # What a header includes where it uses what matches.
 NEEDS = {"family_record": r"core::Family", "rake.hpp": r"core::Rake", "surface_parameters": r"core::(SurfaceParameters|SurfaceKind|Direction|"
          "Accuracy|Interpolation|Refine)", "surface_statistics": r"core::(SurfaceStatistics|Emptiness)", "value_range": r"core::ValueRange",
-         "nullable": "Nullable<", "<vector>": "std::vector", "<utility>": "std::pair", "json_fwd": "nlohmann", "<cstdint>": "std::uint",
+         "<vector>": "std::vector", "<utility>": "std::pair", "json_fwd": "nlohmann", "<cstdint>": "std::uint",
          "<optional>": "std::optional", "<string>": "std::string[ >]", "<string_view>": "std::string_view"}
 
 
@@ -358,7 +358,7 @@ class Cpp(Writers):
                 "#pragma once", "",
                 '#include "core/surface/family/family_record.hpp"', '#include "core/surface/rake.hpp"',
                 '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"',
-                '#include "core/surface/value_range.hpp"', '#include "protocol/api/base/checked_json.hpp"', '#include "protocol/api/base/nullable.hpp"', "",
+                '#include "core/surface/value_range.hpp"', '#include "protocol/api/base/checked_json.hpp"', "",
                 "#include <nlohmann/json_fwd.hpp>", "", "#include <cstdint>", "#include <optional>", "#include <string>",
                 "#include <string_view>", "#include <utility>", "#include <vector>", "", "namespace wakesurf::protocol {", ""]
         body, readers = [], []
@@ -382,7 +382,7 @@ class Cpp(Writers):
         body += [*writers, ""] if writers else []
         used = "\n".join(body)
         if " : InSession" in used or " : NoParameters" in used:
-            text.insert(text.index('#include "protocol/api/base/nullable.hpp"'), '#include "protocol/api/generated/shared.hpp"')
+            text.insert(text.index('#include "protocol/api/base/checked_json.hpp"') + 1, '#include "protocol/api/generated/shared.hpp"')
         text = [line for line in text if needed(line, used)]
         if "core::Vec3" in used and "core::Rake" not in used:
             text.insert(text.index('#include "protocol/api/base/checked_json.hpp"'), '#include "core/base/vec3.hpp"')
@@ -411,9 +411,8 @@ class Cpp(Writers):
         used = "\n".join(body)
         includes = ['#include "protocol/api/generated/limits.hpp"'] if "limits::" in used else []
         includes += ['#include "protocol/api/generated/names.hpp"'] if "name(" in used or "in.word(" in used else []
-        includes += ['#include "protocol/api/base/colour_text.hpp"'] if "is_colour" in used else []
         includes += ['#include "core/surface/request/surface_values.hpp"'] if "check_rules" in used else []
-        includes += ['#include "protocol/api/base/point_json.hpp"'] if "point_json" in used or "points_json" in used else []
+        includes += ['#include "protocol/api/base/list_json.hpp"'] if "point_json" in used or "points_json" in used else []
         text = [MADE.format(f"{noun}.schema.json"), f'#include "protocol/api/generated/{noun}.hpp"', "", *includes, ""]
         if "fmt::" in used:
             text += ["#include <fmt/format.h>"]

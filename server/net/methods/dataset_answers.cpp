@@ -1,9 +1,8 @@
 #include "server/net/methods/dataset_answers.hpp"
 
 #include "protocol/api/base/json_text.hpp"
-#include "protocol/api/base/point_json.hpp"
+#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "protocol/api/family_json.hpp"
 #include "server/data/surface_fields.hpp"
 #include "server/net/methods/method.hpp"
 #include "server/net/methods/notifications.hpp"

@@ -1,5 +1,5 @@
 // family.make, family.remove.
-#include "protocol/api/family_json.hpp"
+#include "protocol/api/dataset_json.hpp"
 #include "protocol/api/generated/family.hpp"
 #include "server/base/forecast.hpp"
 #include "server/net/methods/family_jobs.hpp"

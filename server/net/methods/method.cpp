@@ -61,11 +61,11 @@ Reply held_until_settled(Reply reply, Journal& journal) {
         if (outcome.fault != nullptr)
             return kept->fault(*outcome.fault);
         journal.settled(
-            [kept, answer = *outcome.result](const core::Result<void>& outcome) mutable {
+            [kept, answer = *outcome.result](const core::Result<void>& written) mutable {
                 if (answer.is_object()) {
-                    answer["durable"] = outcome.has_value();
-                    if (!outcome)
-                        answer["hint"] = outcome.error().message + ": " + outcome.error().hint;
+                    answer["durable"] = written.has_value();
+                    if (!written)
+                        answer["hint"] = written.error().message + ": " + written.error().hint;
                 }
                 kept->result(answer);
             });

@@ -1,6 +1,6 @@
 // The methods on records: rakes, surfaces, bookmarks and annotations. What every type of record shares (a list, a deletion, a setter that may be
 // meant for one revision only) comes first.
-#include "protocol/api/base/point_json.hpp"
+#include "protocol/api/base/list_json.hpp"
 #include "server/net/methods/caller.hpp"
 #include "server/net/methods/method.hpp"
 #include "server/net/methods/records_json.hpp"

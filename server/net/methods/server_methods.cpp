@@ -1,5 +1,5 @@
 // server.info, server.ping, server.stats.
-#include "protocol/api/api_level.hpp"
+#include "protocol/api/openrpc.hpp"
 #include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/api/generated/server.hpp"

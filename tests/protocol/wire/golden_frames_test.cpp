@@ -3,7 +3,7 @@
 // More of the random ones, for the other decoders: WAKESURF_SEQUENCES_TO=<folder> WAKESURF_SEQUENCE_SEED=<seed>.
 #include "protocol/wire/mesh_decoder.hpp"
 #include "protocol/wire/numbers.hpp"
-#include "protocol/wire/state_sum.hpp"
+#include "protocol/wire/wire_mesh.hpp"
 #include "tests/protocol/wire/sample_sequences.hpp"
 #include "tests/support/dequantise.hpp"
 #include "tests/support/held_ranges.hpp"

@@ -1,4 +1,4 @@
-#include "protocol/wire/mesh_guard.hpp"
+#include "protocol/wire/mesh_stream.hpp"
 #include "tests/protocol/wire/sample_meshes.hpp"
 
 #include <ctime>

@@ -1,4 +1,3 @@
-#include "protocol/wire/state_sum.hpp"
 #include "protocol/wire/wire_mesh.hpp"
 
 #include <gtest/gtest.h>

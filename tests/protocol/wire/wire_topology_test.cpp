@@ -1,4 +1,4 @@
-#include "protocol/wire/wire_topology.hpp"
+#include "protocol/wire/wire_mesh.hpp"
 #include "tests/protocol/wire/sample_meshes.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // `wakesurf --version`: the program's version and those of all that it reads, writes and speaks.
-#include "protocol/api/api_level.hpp"
+#include "protocol/api/openrpc.hpp"
 #include "protocol/api/session_file.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 #include "server/app/version.hpp"

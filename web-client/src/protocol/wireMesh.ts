@@ -1,6 +1,6 @@
 // The state of a surface on the wire: integers that the server and all its clients hold alike, with the neighbours that predictions need
-// and the checksum over all of it. protocol/wire/FORMAT.md, State, Neighbours, State sum. Twins: protocol/wire/wire_mesh.hpp,
-// wire_topology.hpp, state_sum.hpp; unlike there, updates change the state in place.
+// and the checksum over all of it. protocol/wire/FORMAT.md, State, Neighbours, State sum. Twin: protocol/wire/wire_mesh.hpp;
+// unlike there, updates change the state in place.
 import { removeRuns, type Runs } from './bytes.ts';
 
 /** Describes what the codes 0 and the last one of an attribute stand for, until the next KEY. */

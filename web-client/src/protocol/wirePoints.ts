@@ -1,6 +1,6 @@
 // The points of an update: the predictors, which are what both ends expect of a vertex, and the residuals of the vertices that moved or
 // came, put into the mesh block by block as they are read. protocol/wire/FORMAT.md, Points. Twins: protocol/wire/wire_points.hpp,
-// wire_predict.hpp. Sums are exact in double precision and cut to 32 bits once, which is to wrap.
+// wire_residuals.hpp. Sums are exact in double precision and cut to 32 bits once, which is to wrap.
 import { FrameError, type Numbers, thingsIn, unzigzag } from './bytes.ts';
 import type { DracoPoints } from './dracoPoints.ts';
 import { maxBlockVertices } from './meshFrame.ts';

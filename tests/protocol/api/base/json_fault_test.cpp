@@ -1,4 +1,4 @@
-#include "protocol/api/base/json_fault.hpp"
+#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/json_rpc.hpp"
 
 #include <gtest/gtest.h>

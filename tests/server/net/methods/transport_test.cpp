@@ -1,5 +1,5 @@
 // The JSON-RPC envelope over both transports: the answers a script gets are the same over POST /rpc and the WebSocket.
-#include "protocol/api/api_level.hpp"
+#include "protocol/api/openrpc.hpp"
 #include "tests/support/server/server_suite.hpp"
 #include "tests/support/server/websocket_client.hpp"
 

@@ -1,5 +1,3 @@
-#include "protocol/api/base/point_json.hpp"
-
 #include "protocol/api/base/list_json.hpp"
 
 #include <nlohmann/json.hpp>
