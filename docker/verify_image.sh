@@ -47,7 +47,7 @@ say "one command at a time"
 check "--version says the version" prints '^wakesurf [0-9]' podman_run --rm "${hardened[@]}" "$image" --version
 check "--help lists the commands" prints 'serve' podman_run --rm "${hardened[@]}" "$image" --help
 check "info of a built-in flow" prints 'analytic' podman_run --rm "${hardened[@]}" "$image" info flow:abc --json
-check "an unknown command is refused" fails_saying 'is no command' podman_run --rm "${hardened[@]}" "$image" nonsense
+check "an unknown command is refused" fails_saying 'is not a command' podman_run --rm "${hardened[@]}" "$image" nonsense
 check "an unknown dataset is named" fails_saying 'case.pvd' podman_run --rm "${hardened[@]}" "$image" /data/case.pvd
 check "it has at most 450 MB" test "$(podman image inspect --format '{{.Size}}' "$image")" -le 450000000
 say "          $(podman image inspect --format '{{.Size}}' "$image" | awk '{ printf "%.0f MB", $1 / 1e6 }')"

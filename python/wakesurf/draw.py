@@ -47,7 +47,7 @@ def draw(job: Json, dataset: str, output: str, options: Sequence[str]) -> None:
     width, _, height = job["size"].partition("x")
     with serve(dataset, options=options, progress=_line) as session:
         if session.client._request("/")[0] != 200:
-            raise PictureFailed("the page is not beside this program", hint="install all of it, or build it: npm --prefix web-client run build")
+            raise PictureFailed("the page was not found next to this program", hint="install all of it, or build it: npm --prefix web-client run build")
         setting = {snake(name): value for name, value in job["surface"].items()}
         if "rake" in job:
             setting["rake"] = session.api.rake.set(**job["rake"])["rake"]

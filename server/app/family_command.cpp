@@ -34,7 +34,7 @@ Result<core::FamilyRequest> read_source(const FamilyOptions& options) {
                         (options.rake.empty() ? 0 : 1);
     if (sources != 1)
         return fail(Error::Code::InvalidArgument,
-                    "one of --from, --plane and --rake says where the scalar is given",
+                    "exactly one of --from, --plane and --rake is needed",
                     "for example --from inflow=y");
     if (options.plane.empty() && !options.scalar.empty())
         return fail(Error::Code::InvalidArgument, "--scalar is for --plane",
@@ -137,8 +137,8 @@ void tell_made(const core::FamilyRecord& family, double seconds) {
         tell("{}: time-step {}, t = {:g}: {} of {} nodes have a value, {:.4g} to {:.4g}\n",
              family.name, step.index, step.time, n.reached, n.nodes, n.range[0], n.range[1]);
         if (n.reached < n.nodes)
-            tell("without a value: {} at rest, {} in or at an obstacle, {} followed for {:.4g} "
-                 "without an end, {} beside the source\n",
+            tell("without a value: {} at rest, {} in or at an obstacle, {} still in the flow after "
+                 "{:.4g}, {} that miss the source\n",
                  n.at_rest, n.obstacle, n.lost, family.request.length, n.outside);
     }
     std::uint64_t nodes = 0;

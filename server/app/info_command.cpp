@@ -220,7 +220,7 @@ void print_text(const Described& described) {
                  field.components, field.components == 1 ? "" : "s",
                  field.source == core::FieldInfo::Source::Cell ? "cell" : "point",
                  range_words(field.range), field.unit.empty() ? "" : " ", field.unit,
-                 field.stored ? "" : "; not stored, so nothing can carry it");
+                 field.stored ? "" : "; not stored, so surfaces cannot carry it");
     for (const core::FamilyRecord& each : described.families)
         print_family(each);
     tell("  carried   {}: what surfaces can carry (--fields)\n",

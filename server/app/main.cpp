@@ -71,7 +71,8 @@ core::Result<CommandWords> with_command(const CLI::App& program, std::vector<std
         return as_serve(); // which explains the error
     const std::string meant = protocol::nearest_name(first, names);
     return core::fail(core::Error::Code::InvalidArgument,
-                      "`" + first + "` is no command, and there is no file or folder of this name",
+                      "`" + first +
+                          "` is not a command, and there is no file or folder of this name",
                       meant.empty() ? "wakesurf --help lists the commands"
                                     : "did you mean `wakesurf " + meant + "`?");
 }

@@ -123,12 +123,12 @@ std::vector<std::string> datasets_to_serve(const ServeOptions& options) {
     if (const std::string named = from_environment("WAKESURF_DATASET"); !named.empty())
         return {named};
     if (const auto bundled = bundled_simulation()) {
-        spdlog::info("event=bundled_simulation message=\"no dataset was named: this is the bundled "
-                     "simulation\" hint=\"name your own: wakesurf serve CASE\"");
+        spdlog::info("event=bundled_simulation message=\"no dataset was named, so this is the "
+                     "bundled simulation\" hint=\"name your own: wakesurf serve CASE\"");
         return {bundled->string()};
     }
-    spdlog::warn("event=no_dataset message=\"no dataset was named, and the bundled simulation is "
-                 "not beside this program: there is nothing to show\" "
+    spdlog::warn("event=no_dataset message=\"no dataset was named, and the bundled simulation was "
+                 "not found next to this program: there is nothing to show\" "
                  "hint=\"name one: wakesurf serve CASE\"");
     return {};
 }
@@ -192,7 +192,7 @@ core::Result<std::vector<std::string>> brick_words(const std::string& text) {
     std::error_code ignored;
     if (!std::filesystem::exists(this_program().parent_path() / "wakesurf-bricks", ignored))
         return fail(Error::Code::Unsupported,
-                    "--bricks: wakesurf-bricks is not beside this program",
+                    "--bricks: wakesurf-bricks was not found next to this program",
                     "install the package wakesurf-bricks, or build with -DWAKESURF_MPI=ON");
     return program_words(text).map_error([](Error error) {
         error.message = "--bricks: " + error.message;
@@ -263,7 +263,8 @@ tell_link(const std::string& address, const std::string& token, const std::files
                         written.error().hint);
     const std::string line = "wakesurf: " + (file.empty() ? link : address) + "\n";
     if (std::fputs(line.c_str(), stdout) == EOF || std::fflush(stdout) != 0)
-        spdlog::warn("event=link_not_told message=\"standard output takes nothing\" hint=\"give "
+        spdlog::warn("event=link_not_told message=\"the link cannot be written to standard "
+                     "output\" hint=\"give "
                      "--url-file FILE and read the link there\"");
     return {};
 }
@@ -286,13 +287,14 @@ open_page(const std::string& link, const std::string& host, std::uint16_t port, 
     if (const auto tunnel = tunnel_command(host, port))
         tell("wakesurf: to open the link on your own machine, type this there first: {}\n",
              *tunnel);
-    auto page = has_page ? OpenedPage::open(link)
-                         : core::Result<OpenedPage>(fail(Error::Code::NotFound,
-                                                         "the page is not beside this program",
-                                                         "give its folder with --web"));
+    auto page = has_page
+                    ? OpenedPage::open(link)
+                    : core::Result<OpenedPage>(fail(Error::Code::NotFound,
+                                                    "the page was not found next to this program",
+                                                    "give its folder with --web"));
     if (page) {
-        tell("wakesurf: opening the page in your browser; should it not come up, open the link "
-             "(--no-open: never)\n");
+        tell("wakesurf: opening the page in your browser; if it does not appear, open the link "
+             "(--no-open prevents this)\n");
         std::fflush(stdout);
         return std::move(*page);
     }

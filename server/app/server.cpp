@@ -425,7 +425,7 @@ void Server::run() {
     Parts& all = *parts_;
     Inputs& in = all.in;
     if (all.files.empty())
-        spdlog::warn("event=no_web_client message=\"the page is not beside this program\" "
+        spdlog::warn("event=no_web_client message=\"the page was not found next to this program\" "
                      "hint=\"build it, as ./run "
                      "does, or name its folder with --web; scripts can still connect\"");
     if (!all.journal)

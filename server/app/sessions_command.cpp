@@ -35,7 +35,7 @@ core::Result<std::unique_ptr<SessionServer>> find_server(const SessionsOptions& 
         return server_at(url, options.authority);
     if (const std::string state = from_environment("WAKESURF_STATE"); !state.empty())
         return sessions_in(state, changes);
-    return fail(Error::Code::InvalidArgument, "which server's sessions?",
+    return fail(Error::Code::InvalidArgument, "neither a server nor a folder of sessions is named",
                 "give --url (or WAKESURF_URL) with the address of a running server, "
                 "http://HOST:PORT/#token=..., or --state with a folder that no server uses");
 }

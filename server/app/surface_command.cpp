@@ -225,8 +225,8 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
         tell(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
     if (statistics.data_end)
         tell(stderr,
-             "wakesurf: the surface goes back to {} only, where the data begin: not as long "
-             "as forward\n",
+             "wakesurf: the surface goes back only to {}, where the data begin, so it is shorter "
+             "backward than forward\n",
              *statistics.data_end);
     return {};
 }

@@ -106,7 +106,7 @@ core::Result<void> let_it_stand_still(SurfaceRequest& request,
     if (dataset.store == nullptr || times.size() != 1 || kind == core::SurfaceKind::Stream ||
         kind == core::SurfaceKind::Level)
         return {};
-    tell(stderr, "wakesurf: the data have one time, {:g}: the flow is taken to stand still\n",
+    tell(stderr, "wakesurf: the data have a single time, {:g}: the flow is treated as steady\n",
          times.front());
     if (request.to)
         return {};
@@ -119,7 +119,7 @@ core::Result<void> let_it_stand_still(SurfaceRequest& request,
     const bool backward = request.parameters.direction == core::Direction::Backward;
     const double long_enough = same->to - same->from;
     request.to = request.from.value_or(times.front()) + (backward ? -long_enough : long_enough);
-    tell(stderr, "wakesurf: without --to: {:g}, long enough for a usual rake\n", *request.to);
+    tell(stderr, "wakesurf: without --to: {:g}, long enough for a typical rake\n", *request.to);
     return {};
 }
 
@@ -140,9 +140,9 @@ core::Result<void> choose_open_options(SurfaceRequest& request,
     if (dataset.info.time_unit == core::iterations && dataset.info.times.size() > 1 &&
         request.parameters.kind != core::SurfaceKind::Stream)
         tell(stderr,
-             "wakesurf: the times are iterations of a steady solver: a {} surface through "
-             "them means nothing; --kind stream shows the result, and so do the others once "
-             "wakesurf import --times {:g}:{:g} has made a store of it alone\n",
+             "wakesurf: the times are iterations of a steady solver: a {} surface through them has "
+             "no physical meaning; use --kind stream, or make a store of the last one alone with "
+             "wakesurf import --times {:g}:{:g}\n",
              protocol::name(request.parameters.kind), dataset.info.times.back(),
              dataset.info.times.back());
     return {};
@@ -287,13 +287,12 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     if (given(options, "to"))
         request.to = request.parameters.to;
     if (!options.rake.empty() && request.parameters.kind == core::SurfaceKind::Level)
-        return core::fail(Code::InvalidArgument, "a level surface begins at no rake",
-                          "leave --rake out");
+        return core::fail(Code::InvalidArgument, "a level surface has no rake", "leave --rake out");
     if (options.rake.empty() && !options.rake_kind.empty())
-        return core::fail(Code::InvalidArgument, "--rake-kind is of --rake, which is left out",
+        return core::fail(Code::InvalidArgument, "--rake-kind needs --rake, which is missing",
                           "give both or neither");
     if (!asked->rake2 && !options.rake2_kind.empty())
-        return core::fail(Code::InvalidArgument, "--rake2-kind is of --rake2, which is left out",
+        return core::fail(Code::InvalidArgument, "--rake2-kind needs --rake2, which is missing",
                           "give both or neither");
     if (!options.rake.empty()) {
         auto rake = parse_rake(options.rake, options.seeds, "--rake", options.rake_kind);

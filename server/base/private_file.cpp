@@ -77,7 +77,7 @@ core::Result<std::string> read_all(const OpenFile& file, std::size_t most) {
     }
     text.resize(size);
     if (size > most)
-        return fail(Error::Code::Corrupt, "it is too long to be one", "name another file");
+        return fail(Error::Code::Corrupt, "it is too large to be one", "name another file");
     return text;
 }
 
@@ -116,7 +116,7 @@ core::Result<OpenFile> open_private_file(const fs::path& file, int flags) {
         return not_ours(fmt::format("it belongs to user {}, this program runs as user {}",
                                     status.st_uid, ::geteuid()));
     if (status.st_nlink > 1)
-        return not_ours("the file has another name as well");
+        return not_ours("the file has a second name (a hard link)");
     if ((status.st_mode & of_others) != 0 &&
         ::fchmod(opened->file.get(), status.st_mode & ~of_others & 07777) != 0)
         return not_opened(errno);
@@ -211,8 +211,8 @@ check_private_folder(const fs::path& folder, std::string_view name, bool shared)
     const bool sticky = shared && (status.st_mode & S_ISVTX) != 0;
     if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0 && !sticky)
         return fail(Error::Code::Io,
-                    fmt::format("{}: others can write to the folder (mode {:04o}), and so put "
-                                "anything in place of what is kept there",
+                    fmt::format("{}: others can write to the folder (mode {:04o}), and so replace "
+                                "what is stored there",
                                 name, status.st_mode & 07777),
                     "chmod go-w it, or name a folder inside of it that is yours alone");
     return {};

@@ -14,7 +14,7 @@ void SystemEntropy::fill(std::span<std::byte> out) {
     while (!out.empty()) {
         const ssize_t got = ::getrandom(out.data(), out.size(), 0);
         if (got < 0 && errno != EINTR)
-            throw std::runtime_error("the system has no random numbers to give");
+            throw std::runtime_error("the system provides no random numbers");
         if (got > 0)
             out = out.subspan(static_cast<std::size_t>(got));
     }

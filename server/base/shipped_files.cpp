@@ -25,7 +25,7 @@ core::Result<std::filesystem::path> bundled_simulation() {
     if (!file.empty())
         return file;
     return core::fail(core::Error::Code::NotFound,
-                      "the bundled simulation is not beside this program",
+                      "the bundled simulation was not found next to this program",
                       "name a dataset with --data");
 }
 
@@ -34,7 +34,7 @@ core::Result<std::filesystem::path> python_client() {
     if (!file.empty())
         return file.parent_path();
     return core::fail(core::Error::Code::NotFound,
-                      "the client for Python is not beside this program",
+                      "the client for Python was not found next to this program",
                       "install all of it, or the wheel, which has the program wakesurf-mcp");
 }
 

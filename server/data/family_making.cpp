@@ -61,11 +61,11 @@ Result<void> check_unmade(const std::vector<store::StoredFamily>& all, const Fam
     if (std::ranges::any_of(all, [&](const auto& each) { return each.record.name == wish.name; }))
         return tl::unexpected(name_taken(wish.name));
     if (all.size() >= wish.most)
-        return core::over_limit(
-            wish.most, fmt::format("the dataset has {} families already", all.size()),
-            wish.most < store::most_families
-                ? "ask someone with the server's token, for whom there is room for more"
-                : "remove one");
+        return core::over_limit(wish.most,
+                                fmt::format("the dataset has {} families already", all.size()),
+                                wish.most < store::most_families
+                                    ? "ask someone with the server's token, who may make more"
+                                    : "remove one");
     return {};
 }
 
@@ -126,13 +126,12 @@ std::vector<core::Vec3> some_nodes(const core::Grid& grid) {
 Result<void> check_family(const LoadedDataset& dataset, const FamilyWish& wish) {
     if (!dataset.store)
         return fail(Error::Code::Unsupported,
-                    "a built-in flow has no nodes that a family could have values at",
-                    "wakesurf generate writes it to a store, which has");
+                    "a built-in flow has no grid nodes, and a family has its values at nodes",
+                    "wakesurf generate writes it to a store, which has nodes");
     if (is_others(dataset.store->layout().folder))
         return fail(
             Error::Code::Unsupported,
-            "families are kept beside the data, and nothing is written on the web or into a "
-            "Zarr",
+            "families are stored beside the data, and nothing is written to the web or into a Zarr",
             "make it of a store in a folder");
     const std::size_t nodes = core::node_count(dataset.store->grid());
     return check_name(dataset, wish.name)

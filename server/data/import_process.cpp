@@ -162,7 +162,7 @@ Error error_of(const ImportCommand& command, int status, const std::string& word
     if (file)
         return {Error::Code::Corrupt, words,
                 *file + " was changed less than " + std::to_string(still_written.count()) +
-                    " s ago: if it is still being written, try again when it is whole"};
+                    " s ago: if it is still being written, try again when it is complete"};
     if (words.find("an import may take ") != std::string::npos)
         return {Error::Code::OverLimit, words, {}, {}, command.memory};
     return {status == 2 ? Error::Code::InvalidArgument : Error::Code::Corrupt, words, {}};
@@ -175,11 +175,11 @@ judge(const ImportCommand& command, const ChildOutcome& outcome, const std::stop
                           "the next import of this source resumes where it ended");
     if (outcome.signal != 0)
         return core::fail(Error::Code::Io,
-                          "the importer was ended (signal " + std::to_string(outcome.signal) + ")",
+                          "the importer was killed (signal " + std::to_string(outcome.signal) + ")",
                           outcome.signal == SIGKILL
-                              ? "someone ended it, or the machine had no memory left"
-                              : "this is a fault of wakesurf or of a library, not told by the "
-                                "file; run wakesurf-import by hand to see more");
+                              ? "someone killed it, or the machine ran out of memory"
+                              : "this is a fault of wakesurf or of a library; run wakesurf-import "
+                                "by hand to see more");
     if (outcome.exit_status == 0)
         return {};
     return tl::unexpected(

@@ -141,8 +141,8 @@ std::shared_ptr<RankedStore> with_ranks(const std::shared_ptr<const store::Store
     if (!options.ranks || reader->bricks() == nullptr)
         return nullptr;
     if (is_others(folder)) {
-        spdlog::warn("event=bricks_job_not_possible message=\"ranks hold stores of a folder, not "
-                     "of the web, and no Zarr\"");
+        spdlog::warn("event=bricks_job_not_possible message=\"ranks can hold a store in a folder "
+                     "only, not one on the web or a Zarr\"");
         return nullptr;
     }
     RankBricks::Options ranks = *options.ranks;

@@ -171,10 +171,11 @@ core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
         return std::nullopt;
     const auto [first, last] = std::minmax({p.from, p.to});
     if (request.time && !core::within_rounding(*request.time, first, last))
-        return fail(Error::Code::OutOfTime,
-                    fmt::format("time {} is outside of {} to {}, which the surface is shown over",
-                                *request.time, first, last),
-                    "choose a `time` inside it, or `end`");
+        return fail(
+            Error::Code::OutOfTime,
+            fmt::format("time {} is outside of {} to {}, the times at which the surface is shown",
+                        *request.time, first, last),
+            "choose a `time` inside it, or `end`");
     const auto time = request.time ? request.time : clock;
     return time ? std::optional(p.from + core::time_sign(p) * core::age_at(p, time)) : std::nullopt;
 }

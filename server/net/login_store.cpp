@@ -78,7 +78,7 @@ void LoginStore::end(const std::string& grant,
     auto written = [this, done = std::move(done)](core::Result<void> kept) {
         if (!kept) {
             lines_.reset();
-            spdlog::warn("event=logout_not_kept message=\"a login that ended may be good again "
+            spdlog::warn("event=logout_not_kept message=\"a login that ended may be valid again "
                          "after a restart\" reason=\"{}\"",
                          kept.error().message);
         }

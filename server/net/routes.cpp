@@ -91,7 +91,7 @@ bool is_shared_file(const std::string& path) {
 
 HttpResponse too_much_waits(std::size_t bytes) {
     return http_over_limit(503, bytes,
-                           "the server has too much waiting to be sent to answer this now",
+                           "too much waits to be sent for the server to answer this now",
                            "try again in a few seconds, or ask for less");
 }
 
@@ -329,7 +329,7 @@ void Routes::logout(const HttpRequest& request, Respond respond) {
         nlohmann::json said{{"durable", kept.has_value()}};
         if (!kept)
             said["hint"] =
-                "the login that ended may be good again after a restart of the server: " +
+                "the login that ended may be valid again after a restart of the server: " +
                 kept.error().message;
         (*answer)(http_json(protocol::json_text(said)));
     });

@@ -56,7 +56,7 @@ core::Result<void> SessionClock::play(const protocol::PlaySetting& setting,
                           "give both, or make a path, streak or time surface first");
     if (!(*next.from < *next.to))
         return core::fail(core::Error::Code::InvalidArgument, "`to` must be later than `from`",
-                          "give both to play something else than before");
+                          "give both to play a different part");
     next.speed = setting.speed.value_or(record_.speed);
     next.loop = setting.loop.value_or(record_.loop);
     if (auto sound = check_clock(next); !sound) // a surface may reach further than a clock

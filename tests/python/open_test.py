@@ -103,7 +103,7 @@ class BrowserTest(OpenCase):
         self.browser("xdg-open")
         alone = shutil.copy(BINARY, self.folder)
         process, _ = self.start("flow:tornado", program=alone, DISPLAY=":0")
-        self.assertTrue(any("the page is not beside this program" in line for line in process.stderr), "it has ended without saying so")
+        self.assertTrue(any("the page was not found next to this program" in line for line in process.stderr), "it has ended without saying so")
         self.assertFalse(os.path.exists(self.note))
 
     def test_is_started_where_ssh_forwards_a_display_and_by_serve_where_it_is_asked_to(self):
@@ -175,7 +175,7 @@ class WordsTest(OpenCase):
 
     def test_a_folder_named_like_no_command_is_served_and_one_named_like_a_command_is_not(self):
         os.mkdir(os.path.join(self.folder, "case"))
-        self.assertNotIn("no command", self.run_it("case", "--listen", "nonsense")[1])
+        self.assertNotIn("not a command", self.run_it("case", "--listen", "nonsense")[1])
         os.mkdir(os.path.join(self.folder, "info"))
         status, said = self.run_it("info")
         self.assertEqual((status, "DATASET" in said), (2, True), said)

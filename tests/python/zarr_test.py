@@ -302,14 +302,14 @@ class ZarrTest(unittest.TestCase):
     def test_nothing_is_written_into_a_zarr(self):
         folder = self.group("read.zarr")
         before = sorted(os.listdir(folder))
-        self.assertIn("nothing is written on the web or into a Zarr",
+        self.assertIn("nothing is written to the web or into a Zarr",
                       said("family", folder, "--name", "psi", "--plane", "0.5,0.5,0.5 0,0,1", status=1))
         self.assertEqual(sorted(os.listdir(folder)), before)
 
     def test_units_that_do_not_fit_each_other_are_refused(self):
         folder = self.group("hours.zarr")
         zarr.open_group(folder)["time"].attrs["units"] = "hours since 2000-01-01"
-        self.assertIn("times are in hours, but velocities in m s-1", said("info", folder, status=1))
+        self.assertIn("times are in hours, but the velocity is in m s-1", said("info", folder, status=1))
 
 
 class Nginx:

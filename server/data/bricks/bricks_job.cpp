@@ -39,10 +39,10 @@ Result<bool> JobKeeper::tend() {
     if (auto came = let_in(); !came || *came)
         return came;
     if (job_->ended())
-        return core::fail(Error::Code::Io, "the job ended before it was there",
-                          "its own words are above");
+        return core::fail(Error::Code::Io, "the job ended before it connected",
+                          "its own output is above");
     if (now - started_ >= options_.coming)
-        return core::fail(Error::Code::Io, "the job does not come");
+        return core::fail(Error::Code::Io, "the job has not connected in time");
     return false;
 }
 

@@ -23,7 +23,8 @@ tl::unexpected<Error> job_gone() {
 }
 
 tl::unexpected<Error> no_sense(const char* what) {
-    return core::fail(Error::Code::Corrupt, std::string("the job says what cannot be: ") + what);
+    return core::fail(Error::Code::Corrupt,
+                      std::string("the job sent an invalid message: ") + what);
 }
 
 } // namespace
@@ -40,7 +41,7 @@ Result<std::optional<JobTalk>> JobTalk::meet(OpenFile& guest, const WantedJob& w
     JobHello hello;
     std::memcpy(&hello, words.data(), sizeof(hello));
     if (hello.magic != job_magic)
-        return no_sense("its first message is of something else");
+        return no_sense("its first message is not from wakesurf-bricks");
     if (hello.version != job_version)
         return core::fail(Error::Code::InvalidArgument, "the job is of another version of wakesurf",
                           "install wakesurf and wakesurf-bricks of one version");
@@ -51,7 +52,7 @@ Result<std::optional<JobTalk>> JobTalk::meet(OpenFile& guest, const WantedJob& w
                           "the job holds the bricks of another store");
     if (marks.empty() || wanted.contradicts(marks))
         return core::fail(Error::Code::InvalidArgument,
-                          "the job holds other values than the store that is served",
+                          "the job holds values other than those of the served store",
                           "the store was written again: the next job reads the new one");
     const ServerWelcome welcome{job_magic, static_cast<std::uint32_t>(wanted.slots),
                                 brick_record_bytes(wanted.shape.values),
@@ -100,7 +101,7 @@ Result<std::vector<std::uint32_t>> JobTalk::filled() {
         for (const std::uint32_t slot :
              std::span(answers).first(came.bytes / sizeof(std::uint32_t))) {
             if (slot >= asked_.size() || !asked_[slot] || std::ranges::count(out, slot) > 0)
-                return no_sense("it brings a brick that nobody has asked for");
+                return no_sense("it sent a brick that was not requested");
             out.push_back(slot);
         }
     }

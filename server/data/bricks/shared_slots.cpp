@@ -18,7 +18,7 @@ namespace {
 
 tl::unexpected<Error> no_shared_memory() {
     return core::fail(Error::Code::Io,
-                      "no memory to share: " + std::generic_category().message(errno));
+                      "no shared memory: " + std::generic_category().message(errno));
 }
 
 core::Result<void*> mapped(int file, std::size_t bytes) {
@@ -48,7 +48,7 @@ SharedSlots::take(OpenFile file, std::size_t slots, std::size_t slot_bytes) {
         slot_bytes > std::numeric_limits<std::size_t>::max() / slots ||
         ::fstat(file.get(), &status) != 0 ||
         static_cast<std::uint64_t>(status.st_size) < slots * slot_bytes)
-        return core::fail(Error::Code::Io, "the memory to share is smaller than was said");
+        return core::fail(Error::Code::Io, "the shared memory is smaller than announced");
     return mapped(file.get(), slots * slot_bytes).map([&](void* memory) {
         return SharedSlots(std::move(file), memory, slots, slot_bytes);
     });

@@ -41,8 +41,8 @@ struct Batch {
 
     static RpcFault too_long() {
         return {RpcCode::OverLimit,
-                "the call was made, but the answers of this batch are longer together than a "
-                "message may be",
+                "the call was made, but its answer was left out: the answers of this batch exceed "
+                "the length of one message",
                 "put fewer calls into one batch",
                 {},
                 std::make_shared<const json>(json{{"limit", limits::outbox_message_bytes}})};

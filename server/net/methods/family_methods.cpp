@@ -33,15 +33,15 @@ core::Result<core::FamilyRequest> family_request(const protocol::FamilyMake& of)
     const bool curve = of.from == "curve";
     if (plane != of.point.has_value() || plane != of.normal.has_value())
         return tl::unexpected(parameter(of.point ? "normal" : "point",
-                                        "and the other belong together, to a plane and to nothing "
-                                        "else"));
+                                        "is missing or not allowed: a plane needs `point` and "
+                                        "`normal`, and nothing else has them"));
     if (curve != of.points.has_value() || curve != of.rake_kind.has_value())
         return tl::unexpected(parameter(of.points ? "rakeKind" : "points",
-                                        "and the other belong together, to a curve and to nothing "
-                                        "else"));
+                                        "is missing or not allowed: a curve needs `points` and "
+                                        "`rakeKind`, and nothing else has them"));
     if (curve && !of.scalar.empty())
-        return tl::unexpected(
-            parameter("scalar", "is for inflow and plane: from a curve it is the distance"));
+        return tl::unexpected(parameter(
+            "scalar", "is for inflow and plane only: that of a curve is the distance from it"));
     if (plane)
         request.source = core::FamilyPlane{*of.point, *of.normal};
     if (curve) {

@@ -16,8 +16,8 @@ ImportWaiters::wait(const std::string& dataset, std::chrono::milliseconds patien
         return 0;
     }
     if (waiting_.size() >= limits::import_waiters) {
-        waiter(core::over_limit(limits::import_waiters, "too many wait for imports",
-                                "wait until some of them have their answers"));
+        waiter(core::over_limit(limits::import_waiters, "too many calls wait for imports",
+                                "wait until some of them are answered"));
         return 0;
     }
     const std::uint64_t id = next_++;

@@ -113,7 +113,7 @@ namespace {
 
 constexpr const char* cure =
     "a surface is computed again when it is edited or its rake is moved, or by Compute it on the "
-    "page; begin with those that need little; the server's log and its memory may tell why it died";
+    "page; begin with small ones; the server's log and memory use may show why it died";
 
 std::string reason(unsigned died) {
     return fmt::format(
@@ -135,8 +135,8 @@ std::string notice(std::string_view kind, std::string_view level, const std::str
 std::string durability_notice(const core::Result<void>& turn) {
     if (turn)
         return notice("durableAgain", "info",
-                      "edits are kept again, and so are all made meanwhile");
-    return notice("notDurable", "warning", "edits are not kept for now: " + turn.error().message);
+                      "edits are saved again, including all made meanwhile");
+    return notice("notDurable", "warning", "edits are not saved for now: " + turn.error().message);
 }
 
 core::Error withheld(unsigned died) {

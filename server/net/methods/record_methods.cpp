@@ -120,7 +120,7 @@ leased(const Session& session, const std::string& rake, const Author& author) {
     return protocol::RpcFault{
         protocol::RpcCode::Leased,
         "rake " + rake + " is being dragged by " + lease->by.name,
-        "wait until it is let go, or edit another rake; a host may use `force`",
+        "wait until it is released, or edit another rake; a host may use `force`",
         {},
         std::make_shared<const json>(
             json{{"by", lease->by.participant},

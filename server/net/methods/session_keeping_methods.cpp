@@ -25,7 +25,7 @@ void session_rename(const Call& call, const protocol::SessionRename& to, Reply r
     const std::string name = core::display_name(to.name, limits::name_bytes);
     if (name.empty())
         return reply.fault(core::Error{core::Error::Code::InvalidArgument,
-                                       "`name` must have something in it that can be seen",
+                                       "`name` must have a visible character",
                                        "give a name of at least one letter"});
     const auto session = choose_session(call, to.session);
     if (!session)

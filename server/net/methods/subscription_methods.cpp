@@ -60,7 +60,7 @@ void surface_subscribe(const Call& call, const protocol::SurfaceSubscribe& to, R
     FrameCursor cursor = call.client->cursor(to.surface, **live, from, call.context.metrics);
     if (!call.client->may_subscribe((*live)->number()))
         return reply.fault(core::Error{core::Error::Code::OverLimit,
-                                       "the connection has as many subscriptions as it may have",
+                                       "the connection has reached its limit of subscriptions",
                                        "end some with `surface.unsubscribe`",
                                        {},
                                        protocol::limits::subscriptions});

@@ -208,7 +208,7 @@ struct CurlTransport::State {
         }
         Handle handle(curl_easy_init());
         if (!handle)
-            throw std::runtime_error("libcurl cannot begin");
+            throw std::runtime_error("libcurl cannot be initialised");
         return handle;
     }
 
@@ -234,7 +234,7 @@ struct CurlTransport::State {
 CurlTransport::CurlTransport(HttpCredentials credentials) : state_(std::make_unique<State>()) {
     static const CURLcode ready = curl_global_init(CURL_GLOBAL_DEFAULT);
     if (ready != CURLE_OK)
-        throw std::runtime_error("libcurl cannot begin");
+        throw std::runtime_error("libcurl cannot be initialised");
     state_->credentials = std::move(credentials);
 }
 

@@ -60,7 +60,7 @@ core::Result<std::string> store_address(std::string_view text) {
         return refused("the address names no store",
                        "give " + std::string(scheme) + "://HOST/PATH/STORE");
     if (host.find('@') != std::string_view::npos)
-        return refused("the address holds a name or a password, which everybody would be shown",
+        return refused("the address contains a user name or a password, which everybody would see",
                        "leave it out, and set WAKESURF_HTTP_TOKEN");
     const bool plain = std::all_of(address.begin(), address.end(),
                                    [](char c) { return c > ' ' && c < 0x7f && c != '\\'; });

@@ -61,9 +61,9 @@ std::string printable(std::string_view text) {
 
 tl::unexpected<Error> no_ranges(const std::string& address) {
     return fail(Error::Code::Io,
-                address + ": the server answers with the whole file where a part was asked for",
-                "serve the store from a server that knows byte ranges, as nginx, Apache and object "
-                "stores do");
+                address + ": the server answers with the whole file although a part was requested",
+                "serve the store from a server that supports byte ranges, as nginx, Apache and "
+                "object stores do");
 }
 
 } // namespace
@@ -85,7 +85,7 @@ check_status(const HttpRequest& request, const HttpAnswer& answer, const std::st
     if (has_bytes(answer) && is_page(answer))
         return fail(Error::Code::Corrupt,
                     address + ": the server answers with a web page instead of the file",
-                    "open the address in a browser: it may want a login");
+                    "open the address in a browser: it may need a login");
     if (status == partial && !times.empty())
         return fail(Error::Code::Io, address + ": the answer ends before it should" + times,
                     "try again when the server can be reached");
@@ -97,14 +97,15 @@ check_status(const HttpRequest& request, const HttpAnswer& answer, const std::st
     const std::string said = address + ": the server answered " + std::to_string(status) + times;
     if (status == 404 || status == 410)
         return fail(Error::Code::NotFound, address + " is not there",
-                    "a store's address is that of its folder, in which store.json is");
+                    "the address of a store is that of the folder with its store.json");
     if (status == 401 || status == 403)
-        return fail(Error::Code::Io, said + ": it lets nobody in, or not with these credentials",
+        return fail(Error::Code::Io,
+                    said + ": access is denied, or not allowed with these credentials",
                     "set WAKESURF_HTTP_TOKEN, or WAKESURF_HTTP_S3_REGION and the keys of AWS; an "
-                    "object store also answers so for what is not there");
+                    "object store also answers so if the object does not exist");
     if (status >= 300 && status < 400)
         return fail(Error::Code::Io,
-                    said + " and leads elsewhere" +
+                    said + ", a redirect" +
                         (answer.location.empty() ? "" : ": " + printable(answer.location)),
                     "give the address it leads to: redirects are not followed");
     return fail(Error::Code::Io, said, comes_again(answer) ? "try again later" : "");
@@ -115,7 +116,7 @@ Result<std::uint64_t> size_told(const HttpRequest& request, const HttpAnswer& an
     if (answer.status == nothing_there) {
         if (answer.range && answer.range->total == 0)
             return 0;
-        return fail(Error::Code::Io, address + ": the server knows no beginning of it");
+        return fail(Error::Code::Io, address + ": the server cannot send its beginning");
     }
     if (request.head) {
         if (answer.content_length)
@@ -151,7 +152,7 @@ Result<void> check_part(const HttpRequest& request, const HttpAnswer& answer, st
             return {};
     }
     return fail(Error::Code::Corrupt,
-                request.address + ": the server sends another part than was asked for");
+                request.address + ": the server sends a different part than was requested");
 }
 
 tl::unexpected<Error> changed(const std::string& address) {

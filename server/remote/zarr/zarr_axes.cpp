@@ -102,7 +102,7 @@ Result<void> check_rising(const std::vector<double>& values, const std::string& 
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i]) || (i > 0 && !(values[i - 1] < values[i])))
             return fail(Error::Code::Unsupported,
-                        name + " does not rise from number to number, or has numbers that are none",
+                        name + " is not strictly increasing, or has values that are not finite",
                         "write the data with " + name + " rising");
     return {};
 }

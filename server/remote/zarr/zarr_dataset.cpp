@@ -163,8 +163,8 @@ Result<void> check_units(const ZarrArray& velocity, const ZarrCoordinates& at) {
     const bool metres_a_second = is_one_of(unit, {"m s-1", "m/s", "m s^-1", "m s**-1", "m.s-1"});
     const auto refused = [&](const std::string& what, const std::string& other) {
         return fail(Error::Code::Unsupported,
-                    what + " are in " + other + ", but velocities in " + unit,
-                    "write " + what + " in the unit that velocities have");
+                    what + " are in " + other + ", but the velocity is in " + unit,
+                    "write " + what + " in the unit that the velocity uses");
     };
     if (metres_a_second && !at.time_unit.empty() &&
         !is_one_of(at.time_unit, {"s", "sec", "secs", "second", "seconds"}))

@@ -358,11 +358,11 @@ Result<void> ZarrDisk::put(const BrickPiece& piece,
         },
         stop);
     if (got && !finite && velocity && !dataset_.manifest.layout.may_have_gaps)
-        return fail(
-            Error::Code::Corrupt,
-            "chunk " + array.path_of(piece.chunk) +
-                ": it has values that are not finite, but no fill_value says that there are any",
-            "write NaN as the fill_value of the velocity's arrays");
+        return fail(Error::Code::Corrupt,
+                    "chunk " + array.path_of(piece.chunk) +
+                        ": it has values that are not finite, but no fill_value says that values "
+                        "may be missing",
+                    "write NaN as the fill_value of the velocity's arrays");
     return got;
 }
 

@@ -210,7 +210,7 @@ Result<void> check_sizes(const ZarrArray& array) {
         if (array.shape[axis] == 0)
             return fail(Error::Code::Corrupt, "it is empty");
         if (array.shape[axis] > most_numbers / numbers)
-            return fail(Error::Code::OverLimit, "it has more numbers than can be counted");
+            return fail(Error::Code::OverLimit, "it has too many values");
         numbers *= array.shape[axis];
         if (array.chunks[axis] > most_chunk_bytes / in_chunk)
             return fail(Error::Code::OverLimit, "its chunks are larger than 2 GiB",
@@ -234,8 +234,7 @@ Result<ZarrArray::Coder> coder(const std::string& name) {
         return unsupported("its chunks lie in shards, which are not read",
                            "write it without shards");
     if (name == "transpose")
-        return unsupported("its numbers lie in another order, with the fastest axis first",
-                           "write it in C order");
+        return unsupported("its axes are transposed", "write it in C order");
     return unsupported("it is packed by " + quoted_word(name) + ", which is not read",
                        "write it uncompressed, or packed by zlib, gzip, zstd or blosc");
 }
@@ -247,7 +246,7 @@ std::string name_and_configuration(const json& value, json& configuration) {
         return value.get<std::string>();
     const auto name = value.is_object() ? value.find("name") : value.end();
     if (!value.is_object() || name == value.end() || !name->is_string())
-        return "nothing that has a name";
+        return "something without a name";
     if (const auto found = value.find("configuration"); found != value.end() && found->is_object())
         configuration = *found;
     return name->get<std::string>();
@@ -337,7 +336,7 @@ Result<ZarrArray> parse_zarr_2(std::string name, const json& array, const json& 
         const json& compressor = members.object("compressor");
         const json id = compressor.value("id", json());
         const auto found =
-            coder(id.is_string() ? id.get<std::string>() : "nothing that has a name");
+            coder(id.is_string() ? id.get<std::string>() : "something without a name");
         if (!found)
             return tl::unexpected(found.error());
         out.coders = {*found};

@@ -133,15 +133,15 @@ core::Result<void> check_mark(const StateContent& content,
     if (content.layout == 0 && marked->commits > 0)
         return fail(Error::Code::Corrupt,
                     "sessions.sqlite in the state folder is empty or gone, although " +
-                        std::to_string(marked->commits) + " changes were kept in it",
+                        std::to_string(marked->commits) + " changes were saved in it",
                     Database::way_out);
     if (content.layout == 0 || marked->id != content.head.id ||
         marked->commits <= content.head.commits)
         return {};
     return fail(Error::Code::Corrupt,
-                "of the changes kept in sessions.sqlite the last " +
+                "of the changes saved in sessions.sqlite the last " +
                     std::to_string(marked->commits - content.head.commits) +
-                    " are missing: its log was damaged or taken away, or it is an older copy",
+                    " are missing: its log was damaged or removed, or it is an older copy",
                 Database::way_out);
 }
 

@@ -183,7 +183,7 @@ core::Result<void> check_record(const Record& record) {
     if (again && *again == without_lease(record))
         return {};
     return core::fail(Error::Code::InvalidArgument,
-                      again ? "this " + kept.type + " cannot be kept as it is"
+                      again ? "this " + kept.type + " cannot be saved as it is"
                             : again.error().message,
                       "correct the " + kept.type);
 }

@@ -362,7 +362,7 @@ TEST_F(SurfaceCommand, ReleasesFromATrueCircle) {
 TEST_F(SurfaceCommand, RefusesARakeKindThatDoesNotFit) {
     refuses({"--rake-kind", "circle"}, 2, "--rake: a circle rake needs a centre");
     refuses({"--rake-kind", "ring"}, 2, "--rake-kind must be line, polyline, circle or points");
-    refuses({"--rake2-kind", "line"}, 2, "--rake2-kind is of --rake2");
+    refuses({"--rake2-kind", "line"}, 2, "--rake2-kind needs --rake2");
     refuses({"--seconds", "0"}, 2, "--seconds");
     refuses({"--seconds", "soon"}, 2, "--seconds");
 }
@@ -409,7 +409,7 @@ TEST_F(SurfaceCommand, LetsDataOfOneTimeStandStill) {
         run({"--kind", "streak", "--rake", "0.5,1,1 0.5,2,1", "--store", file("store")});
     EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
     EXPECT_TRUE(
-        holds(outcome.errors, "the data have one time, 0: the flow is taken to stand still"));
+        holds(outcome.errors, "the data have a single time, 0: the flow is treated as steady"));
 }
 
 TEST_F(SurfaceCommand, KeepsTheOldFileWhenTheNewOneCannotBeMade) {

@@ -139,7 +139,7 @@ TEST(SurfaceRequest, OfALevelSurfaceTakesNoRake) {
     asked.asked = {{"kind", "level"}, {"field", "p"}, {"level", "0.3"}};
     EXPECT_TRUE(check_surface_options(asked));
     asked.rake = "0,0,0 1,1,1";
-    EXPECT_EQ(check_surface_options(asked).error().message, "a level surface begins at no rake");
+    EXPECT_EQ(check_surface_options(asked).error().message, "a level surface has no rake");
 }
 
 } // namespace wakesurf::server::surface_request_test

@@ -74,7 +74,7 @@ TEST_F(ImportProcess, SaysWhatIsWrongBeforeItSaysThatTheFileMayStillBeWritten) {
 TEST_F(ImportProcess, SaysWhatEndedTheImporterAndBlamesNoFile) {
     const auto ended =
         run_import_process(with("kill -SEGV $$"), [](const store::ImportProgress&) {});
-    EXPECT_EQ(ended.error().message, "the importer was ended (signal 11)");
+    EXPECT_EQ(ended.error().message, "the importer was killed (signal 11)");
     EXPECT_EQ(ended.error().hint.find("damaged"), std::string::npos);
 }
 

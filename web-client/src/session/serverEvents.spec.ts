@@ -41,20 +41,20 @@ describe('a notice of the server', () => {
 
     it('takes the place of the one that it answers', () => {
         const { hear, said } = bench();
-        hear('notDurable', 'edits are not kept');
-        hear('durableAgain', 'edits are kept again');
-        expect(said()).toEqual([['durability', 'Edits are kept again.']]);
+        hear('notDurable', 'edits are not saved');
+        hear('durableAgain', 'edits are saved again');
+        expect(said()).toEqual([['durability', 'Edits are saved again.']]);
     });
 
     it('that was sent away does not come back because the session is joined again, but with another turn', () => {
         const { state, hear, said } = bench();
-        hear('notDurable', 'edits are not kept');
+        hear('notDurable', 'edits are not saved');
         state.notices.solved('durability');
-        hear('notDurable', 'edits are not kept');
+        hear('notDurable', 'edits are not saved');
         expect(said()).toEqual([]);
-        hear('durableAgain', 'edits are kept again');
-        hear('notDurable', 'edits are not kept');
-        expect(said()).toEqual([['durability', 'Edits are not kept.']]);
+        hear('durableAgain', 'edits are saved again');
+        hear('notDurable', 'edits are not saved');
+        expect(said()).toEqual([['durability', 'Edits are not saved.']]);
     });
 
     it('that data were replaced comes back whenever that happens again', () => {

@@ -109,7 +109,7 @@ AskedBricks::meet(const std::filesystem::path& door, const RankStore& store, Bri
     }
     if (came.bytes != sizeof(welcome) || welcome.magic != job_magic || came.passed.get() < 0 ||
         welcome.slot_bytes != brick_record_bytes(store.shape().values))
-        return core::fail(Error::Code::Io, "the server wants no such job",
+        return core::fail(Error::Code::Io, "the server refused this job",
                           "its log says why: event=bricks_job");
     return SharedSlots::take(std::move(came.passed), welcome.slots, welcome.slot_bytes)
         .map([&](SharedSlots slots) {

@@ -108,12 +108,12 @@ TEST_F(BadJobs, OfAnotherShapeOrVersionOrThatAreNoneAreRefusedWithTheReason) {
     hello = good;
     hello.magic += 1;
     EXPECT_EQ(met(wanted, job("holds nothing").words).message,
-              "the job says what cannot be: its first message is of something else");
+              "the job sent an invalid message: its first message is not from wakesurf-bricks");
     hello = good;
     EXPECT_EQ(met(wanted, job("holds nothing", "").words).message,
-              "the job holds other values than the store that is served");
+              "the job holds values other than those of the served store");
     EXPECT_EQ(met(wanted, job("holds nothing", std::string(5000, '0')).words).message,
-              "the job says what cannot be: its first message is too short or too long");
+              "the job sent an invalid message: its first message is too short or too long");
     EXPECT_EQ(met(wanted, job("closes before a word").words).message, "the job has ended");
 }
 
@@ -123,7 +123,7 @@ TEST_F(BadJobs, OfAnotherGenerationOfTheStoreAreRefused) {
     const auto before = reader_of(other / "s");
     EXPECT_EQ(
         met(wanted_by(*reader_, hello.shape), job("holds nothing", before->values()).words).message,
-        "the job holds other values than the store that is served");
+        "the job holds values other than those of the served store");
 }
 
 TEST_F(BadJobs, ThatEndAtAnyPointCostNoRead) {

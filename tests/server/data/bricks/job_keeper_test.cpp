@@ -81,7 +81,7 @@ TEST_F(JobKeeperTest, WaitsForAJobToComeForAWhileAndNoLonger) {
     clock.time += 1ms;
     const auto late = keeper.tend();
     ASSERT_FALSE(late.has_value());
-    EXPECT_EQ(late.error().message, "the job does not come");
+    EXPECT_EQ(late.error().message, "the job has not connected in time");
 }
 
 TEST_F(JobKeeperTest, NoticesAtOnceWhenAJobEndsBeforeItIsThere) {
@@ -89,7 +89,7 @@ TEST_F(JobKeeperTest, NoticesAtOnceWhenAJobEndsBeforeItIsThere) {
     JobKeeper keeper(options, wanted);
     const auto gone = outcome(keeper);
     ASSERT_FALSE(gone.has_value());
-    EXPECT_EQ(gone.error().message, "the job ended before it was there");
+    EXPECT_EQ(gone.error().message, "the job ended before it connected");
 }
 
 } // namespace wakesurf::server::job_keeper_test

@@ -149,14 +149,14 @@ TEST_F(WebDiskTest, AsksOnceForWhatWillNotChange) {
     EXPECT_EQ(read("none.json", 0, 1).error().message,
               "https://example.org/data/none.json is not there");
     EXPECT_EQ(web_->asked().size(), 2u);
-    expect_error(error_where([](HttpAnswer& answer) { answer.status = 403; }), Error::Code::Io,
-                 ": the server answered 403: it lets nobody in, or not with these credentials");
+    expect_error(
+        error_where([](HttpAnswer& answer) { answer.status = 403; }), Error::Code::Io,
+        ": the server answered 403: access is denied, or not allowed with these credentials");
     expect_error(error_where([](HttpAnswer& answer) {
                      answer.status = 302;
                      answer.location = "file:///etc/passwd\n";
                  }),
-                 Error::Code::Io,
-                 ": the server answered 302 and leads elsewhere: file:///etc/passwd?");
+                 Error::Code::Io, ": the server answered 302, a redirect: file:///etc/passwd?");
     EXPECT_TRUE(pauses_.empty());
 }
 
@@ -197,7 +197,7 @@ TEST_F(WebDiskTest, TellsObjectsApartByTheirTimeWhereTheyHaveNoMark) {
 }
 
 TEST_F(WebDiskTest, TakesNoPartForAnother) {
-    const std::string other = ": the server sends another part than was asked for";
+    const std::string other = ": the server sends a different part than was requested";
     expect_error(error_where([](HttpAnswer& answer) {
                      answer.range->first = 101;
                      answer.range->last = 300;
@@ -208,7 +208,7 @@ TEST_F(WebDiskTest, TakesNoPartForAnother) {
     expect_error(error_where([](HttpAnswer& answer) { answer.range.reset(); }),
                  Error::Code::Corrupt, other);
     expect_error(error_where([](HttpAnswer& answer) { answer.status = 200; }), Error::Code::Io,
-                 ": the server answers with the whole file where a part was asked for");
+                 ": the server answers with the whole file although a part was requested");
 }
 
 TEST_F(WebDiskTest, ReadsNothingBeyondTheEndOfAnObject) {
