@@ -398,7 +398,7 @@ core::Result<void> DatasetCatalogue::choose_velocity(std::string_view dataset,
                 Error::Code::InvalidArgument,
                 entry->status.name + " is shown with the velocity " +
                     (entry->open ? entry->open->info.velocity : "that its files suggest"),
-                "whoever runs the server can serve it again beside this: wakesurf serve CASE "
+                "the operator of the server can serve the data a second time: wakesurf serve CASE "
                 "--velocity " +
                     velocity);
         entry->taken = std::move(wish);

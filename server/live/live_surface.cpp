@@ -424,7 +424,7 @@ void LiveSurface::retire() {
     ring_->close();
     waiters_->answer(std::numeric_limits<std::uint32_t>::max(),
                      core::fail(core::Error::Code::NotFound, "surface " + id_ + " was deleted",
-                                "`surface.list` lists those there are"));
+                                "`surface.list` lists them"));
 }
 
 std::uint64_t

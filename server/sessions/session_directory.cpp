@@ -57,7 +57,7 @@ core::Result<TrashedSession> SessionTrash::take(const std::string& id) {
     if (!node)
         return core::fail(core::Error::Code::NotFound,
                           "there is no session `" + id.substr(0, 64) + "` in the trash",
-                          "`trash` of `session.list` lists those that are");
+                          "`trash` of `session.list` lists the deleted sessions");
     return std::move(node.mapped());
 }
 
@@ -269,7 +269,7 @@ core::Result<std::shared_ptr<Session>> SessionDirectory::find(const std::string&
                     "`session.restore` brings it back until " +
                         protocol::utc_text(deleted_until(deleted->profile)));
     return fail(Error::Code::NotFound, "there is no session `" + id.substr(0, 64) + "`",
-                "`session.list` lists those there are");
+                "`session.list` lists them");
 }
 
 std::size_t SessionDirectory::remaining() const {

@@ -66,8 +66,9 @@ core::Result<std::string> store_address(std::string_view text) {
                                    [](char c) { return c > ' ' && c < 0x7f && c != '\\'; });
     if (!plain || address.find_first_of("?#") != std::string::npos ||
         (address + "/").find("/../") != std::string::npos)
-        return refused("the address of a store has no query, no fragment, no spaces and no `..`",
-                       "spaces are written as %20; each file of the store is asked for below it");
+        return refused(
+            "the address of a store has no query, no fragment, no spaces and no `..`",
+            "write spaces as %20; the files of the store are requested below this address");
     return address;
 }
 

@@ -302,8 +302,7 @@ class Description {
             note("left out: " + left_out);
         if (!group_.listed)
             note("the arrays of the group cannot be listed: without consolidated metadata, only "
-                 "those "
-                 "that a velocity usually has were looked for");
+                 "the usual names of a velocity were tried");
     }
 
     void take_scalar(const ZarrField& field) {
