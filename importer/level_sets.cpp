@@ -86,8 +86,7 @@ class Shared {
     explicit Shared(std::byte* start) : start_(start) {}
 
     static tl::unexpected<Error> no_memory() {
-        return core::fail(Error::Code::Corrupt,
-                          "the memory for level sets is not what it should be");
+        return core::fail(Error::Code::Corrupt, "the shared memory for level sets is invalid");
     }
 
     std::byte* start_;

@@ -262,7 +262,7 @@ core::Result<Points> read_rake_file(const std::filesystem::path& path, bool sepa
     std::error_code unknown;
     const auto size = std::filesystem::file_size(path, unknown);
     if (unknown || !std::filesystem::is_regular_file(path, unknown))
-        return core::fail(Error::Code::NotFound, name + " is not there, or is no file");
+        return core::fail(Error::Code::NotFound, name + " is not there, or is not a file");
     if (size > most_bytes)
         return core::fail(Error::Code::OverLimit, name + " is too large for a rake: it has " +
                                                       std::to_string(size >> 20) + " MiB");

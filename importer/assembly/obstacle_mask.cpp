@@ -48,7 +48,7 @@ core::Result<std::vector<bool>> read_array(vtkDataSet& block, const FieldChoice&
                 Error::Code::Corrupt,
                 "has a mask " + mask.name + " that is " + std::to_string(value) +
                     (of_points ? " at node " : " in cell ") + std::to_string(i),
-                "a mask holds 0 and 1 only; give the field another name if it is none");
+                "a mask holds 0 and 1 only; give the field another name if it is not a mask");
         solid[i] = (value == 1.0) == choice.mask_marks_solid;
     }
     return solid;

@@ -224,7 +224,8 @@ core::Result<FieldChoice> choose_fields(const std::vector<FieldInfo>& fields,
     add_note(choice.note, velocity->doubt);
     for (const auto& name : wish.no_masks)
         add_note(choice.note,
-                 name + " is a scalar, and no mask as its name says: it is not 0 or 1 everywhere");
+                 name +
+                     " is a scalar, not a mask as its name suggests: it is not 0 or 1 everywhere");
     return choice;
 }
 

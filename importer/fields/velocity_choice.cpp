@@ -175,7 +175,7 @@ class Rules {
             pick(fields_, [&](const FieldInfo& f) { return f.source == source && is_density(f); });
         if (density.size() != 1 || vectors.size() > 1)
             return std::nullopt;
-        const char* const why = "there is no velocity of the fluid, so the momentum is divided by "
+        const char* const why = "there is no fluid velocity, so the momentum is divided by "
                                 "the density";
         if (vectors.size() == 1)
             return made(vectors, density, why);

@@ -166,8 +166,7 @@ core::Result<GrantRecord> parse_grant(std::string_view text) {
 }
 
 core::Result<SessionProfile> parse_profile(std::string_view text) {
-    const char* const damaged =
-        "what was kept of when and by whom a session was used cannot be read";
+    const char* const damaged = "the record of when and by whom a session was used cannot be read";
     auto profile = parse<SessionProfile>(text, damaged);
     if (!profile)
         return profile;

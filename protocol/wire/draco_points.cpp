@@ -117,7 +117,7 @@ core::Result<void> decode_points(std::span<const std::byte> draco_bytes,
     for (std::size_t i = 0; whole && i < channels.size(); ++i)
         whole = copy_attribute(cloud, static_cast<int>(i), channels[i].values);
     if (!whole)
-        return corrupt("a mesh frame decoded to other points than it announced");
+        return corrupt("a mesh frame decoded to different points from those it announced");
     return {};
 
 } catch (const std::exception& thrown) {

@@ -153,7 +153,7 @@ core::Result<void> MeshDecoder::check_order(const FrameHeader& h) const {
     if (!intact_ || update_ || !newest_ || h.epoch != newest_->header.epoch ||
         h.seq != newest_->header.seq + 1 || h.lattice_bits != newest_->mesh->lattice_bits ||
         h.attribute_count != newest_->mesh->codes.size())
-        return corrupt(fmt::format("epoch {} update {} does not start from the state there is",
+        return corrupt(fmt::format("epoch {} update {} does not start from the current state",
                                    h.epoch, h.seq));
     return {};
 }

@@ -32,7 +32,7 @@ def find_browser() -> str:
         found = shutil.which(name)
         if found:
             return found
-    raise BrowserMissing(f"{named!r} is no program" if named else "pictures need Chromium, which is not on this machine",
+    raise BrowserMissing(f"{named!r} is not a program" if named else "pictures need Chromium, which is not on this machine",
                          kind="browserMissing", hint="Debian: chromium or chromium-headless-shell; or name one in $WAKESURF_CHROMIUM")
 
 

@@ -121,7 +121,7 @@ def _why_no_frame(session: Session) -> str:
     if status != 200:
         return f"the server has no page (status {status})"
     if not in_notebook():
-        return "this is no notebook"
+        return "this is not a notebook"
     names = {name.lower(): value for name, value in headers.items()}
     policy = next((part for part in names.get("content-security-policy", "").split(";") if part.strip().startswith("frame-ancestors")), "")
     if "x-frame-options" in names or not policy or "'none'" in policy:

@@ -115,10 +115,10 @@ def points_of(name: str, given: Points) -> List[List[float]]:
     try:
         array = np.asarray(given, dtype=float)
     except (TypeError, ValueError):
-        raise InvalidPoints(f"`{name}` is no list of points of three numbers each", -32602, "invalidParameters", example) from None
+        raise InvalidPoints(f"`{name}` is not a list of points of three numbers each", -32602, "invalidParameters", example) from None
     if array.shape == (3,):
         raise InvalidPoints(f"`{name}` is a single point, and takes a list of them", -32602, "invalidParameters", example)
     if array.ndim != 2 or array.shape[1] != 3:
-        raise InvalidPoints(f"`{name}` is no list of points of three numbers each: its shape is {array.shape}", -32602,
+        raise InvalidPoints(f"`{name}` is not a list of points of three numbers each: its shape is {array.shape}", -32602,
                             "invalidParameters", example)
     return [[float(x) for x in point] for point in array]

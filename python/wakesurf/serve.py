@@ -29,7 +29,7 @@ def find_server(binary: Optional[Path] = None) -> str:
     named = os.fspath(binary) if binary else os.environ.get("WAKESURF", "")
     found = shutil.which(named or "wakesurf")
     if found is None:
-        where = f"{named!r} is no program" if named else "there is no program `wakesurf` on this machine"
+        where = f"{named!r} is not a program" if named else "there is no program `wakesurf` on this machine"
         raise ServerMissing(where, kind="serverMissing", hint=HOW)
     return found
 
@@ -102,7 +102,7 @@ class Server:
         return next(word for word in text.decode().split() if "://" in word)
 
     def _last_words(self) -> str:
-        return self.log().strip()[-_LAST_WORDS:] or "it said nothing"
+        return self.log().strip()[-_LAST_WORDS:] or "it printed nothing"
 
 
 def serve(*datasets: Path, binary: Optional[Path] = None, store: Optional[Path] = None, state: Optional[Path] = None,

@@ -68,8 +68,9 @@ std::optional<core::PeriodicAxes> read_axes(const std::string& text) {
 CLI::Validator axes_of_text() {
     return CLI::Validator(
         [](std::string& text) {
-            return read_axes(text) ? std::string()
-                                   : "'" + text + "' is none of x, y and z, or some with commas";
+            return read_axes(text)
+                       ? std::string()
+                       : "'" + text + "' is not x, y or z, or several of them with commas";
         },
         "AXES");
 }
@@ -86,13 +87,13 @@ std::string axes_list(const core::PeriodicAxes& axes) {
 
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--velocity", options.velocity,
-                       "The velocity, where it is not to be found by its name: one vector, three "
+                       "The velocity, if it cannot be found by its name: one vector, three "
                        "scalars U,V,W, or a momentum and its density M,RHO");
     command.add_flag("--alone", options.alone,
                      "Only the file that DATASET names, not the numbered files beside it");
     command
         .add_option("--dt", options.dt,
-                    "Time from one numbered file to the next, where the files state no times")
+                    "Time from one numbered file to the next, if the files state no times")
         ->check(finite(true));
     command.add_option("--start", options.start, "Time of the first of such files (default: 0)")
         ->check(finite(false));
@@ -107,7 +108,7 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
                                       std::to_string(most_periods) + " periods");
             },
             "The stored times are one period, which is repeated: PERIODS, or PERIODS:LENGTH "
-            "(default length: by whether the last time-step is the first again)")
+            "(default length: depends on whether the last time-step repeats the first)")
         ->option_text("PERIODS[:LENGTH]");
     command
         .add_option_function<std::string>(
@@ -125,7 +126,7 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
                 options.periodic = read_axes(text).value_or(core::PeriodicAxes{});
             },
             "The flow repeats along these axes, x or x,y: what leaves the box of the data on one "
-            "side goes on from the other. Of OpenFOAM cyclic patches say it")
+            "side enters again on the other. OpenFOAM's cyclic patches imply it")
         ->check(axes_of_text());
     command.add_flag("--confined", options.confined,
                      "Refuse files that DATASET names outside of its folder: for data of people "

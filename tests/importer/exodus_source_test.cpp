@@ -282,7 +282,7 @@ TEST_F(ExodusSource, JoinsThePiecesOfAParallelRun) {
     EXPECT_TRUE(continues_exodus(folder_ / "run.e.3.1"));
     put_time(folder_ / "run.e.3.1", 3, 3.5);
     EXPECT_EQ(open_exodus(folder_ / "run.e.3.0").error().message,
-              "run.e.3.1 has other times than run.e.3.0");
+              "run.e.3.1 has different times from run.e.3.0");
     fs::remove(folder_ / "run.e.3.1");
     const auto refused = open_exodus(folder_ / "run.e.3.0");
     ASSERT_FALSE(refused.has_value());

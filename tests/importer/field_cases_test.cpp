@@ -232,7 +232,7 @@ TEST_F(FieldCases, AScalarThatIsNoMaskIsAScalarWhateverItsName) {
         expect_exact_surface("m.vti", 0, 1, {}, 0.0);
         ASSERT_EQ(run("m.vti").status, 0);
         EXPECT_FALSE(manifest().info.obstacle);
-        EXPECT_NE(manifest().info.note.find(std::string(name) + " is a scalar, and no mask"),
+        EXPECT_NE(manifest().info.note.find(std::string(name) + " is a scalar, not a mask"),
                   std::string::npos)
             << manifest().info.note;
         EXPECT_EQ(manifest().layout.scalars.size(), 1u);

@@ -431,7 +431,7 @@ TEST_F(NetcdfVelocity, OfAnotherMeshThanAGridIsRefusedWithTheReason) {
             out.text(out.variable("U", NC_FLOAT, {"bottom_top", "south_north", "west_east_stag"}),
                      "coordinates", "XLONG_U XLAT_U XTIME");
         },
-        "f.nc is of WRF: U, V and W are on the faces of its cells, and the heights");
+        "f.nc is a WRF file: U, V and W are on the faces of its cells, and the heights");
 }
 
 } // namespace

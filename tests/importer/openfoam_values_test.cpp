@@ -98,7 +98,7 @@ TEST_F(OpenfoamValues, ThatAreNotThereOrOfAnotherKindAreRefusedByName) {
                 continue;
             ASSERT_FALSE(refused.has_value()) << words;
             EXPECT_EQ(refused.error().message,
-                      "0/U ends too early or is no field of 3 numbers a cell")
+                      "0/U ends too early or is not a field of 3 numbers a cell")
                 << words;
         }
     }

@@ -52,7 +52,7 @@ TEST_F(RakeFile, ATableThatHoldsSomethingElseIsRefusedByRow) {
         long_table += std::to_string(i) + ",0,0\n";
     EXPECT_EQ(complaint("a.csv", long_table), "a.csv has more than 100000 points");
     EXPECT_EQ(read_rake_file("nowhere.csv", false).error().message,
-              "nowhere.csv is not there, or is no file");
+              "nowhere.csv is not there, or is not a file");
 }
 
 TEST_F(RakeFile, AnObjIsItsOneLineInTheOrderOfTheLine) {

@@ -443,7 +443,7 @@ TEST_F(VtkFilesSource, KeepsTheSolidCellsOfAMixedMeshAndThickensPlanes) {
     expect_failure(open_source(write_step("bent.vtu", *bent, 0)), Error::Code::Unsupported,
                    "bent.vtu has no cells in space");
     expect_failure(open_source(write_step("line.vti", *sample_image(4, 1, 1), 0)),
-                   Error::Code::Unsupported, "line.vti has 1 nodes along y, and is no plane");
+                   Error::Code::Unsupported, "line.vti has 1 nodes along y, and is not a plane");
     expect_failure(open_source(write("patch.vtp", *patch(1.0))), Error::Code::Unsupported,
                    "patch.vtp is a surface");
 }

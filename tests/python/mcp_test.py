@@ -94,7 +94,7 @@ class ProtocolTest(McpCase):
         self.assertIn("case.foam", agent.refusal("open"))
         self.assertIn("case.foam", agent.refusal("suggest"))
         agent = self.agent("flow:tornado", environment={"WAKESURF": "/nowhere/wakesurf"})
-        self.assertIn("is no program", agent.refusal("open"))
+        self.assertIn("is not a program", agent.refusal("open"))
         agent = self.agent("--url", "http://127.0.0.1:9/#token=x")
         self.assertIn("no answer from http://127.0.0.1:9", agent.refusal("open"))
 
@@ -159,17 +159,17 @@ class ToolsTest(McpCase):
                 ("rake", {}, "rake needs `points`"), ("rake", {"points": [[0, 0]]}, "`points[0]` has 2 items, not 3"),
                 ("rake", {"points": [[0, 0, 0], [1, True, 0]]}, "`points[1][1]`"), ("rake", {"delete": True}, "delete needs `rake`"),
                 ("rake", {"points": [[7, 7, 7], [8, 8, 8]]}, "outside"), ("rake", {"rake": "r99", "seeds": 4}, "r99"),
-                ("surface", {}, "needs `kind`"), ("surface", {"kind": "smoke"}, "none of stream, path, streak"),
+                ("surface", {}, "needs `kind`"), ("surface", {"kind": "smoke"}, "not one of stream, path, streak"),
                 ("surface", {"kind": "path", "rake": "r99"}, "r99"), ("surface", {"kind": "stream", "seperation": 1}, "did you mean `separation`"),
                 ("surface", {"kind": "stream", "separation": -1}, "separation"), ("surface", {"surface": "s9", "to": 1}, "no surface"),
                 ("wait", {}, "make one with the tool"), ("wait", {"seconds": -1}, "0 to 3600"), ("numbers", {"surface": "s9"}, "no surface"),
-                ("compare", {}, "compare needs `a`"), ("compare", {"a": "s9"}, "no surface"), ("explain", {"why": 1}, "no argument"),
+                ("compare", {}, "compare needs `a`"), ("compare", {"a": "s9"}, "no surface"), ("explain", {"why": 1}, "not an argument"),
                 ("picture", {"width": 10}, "64 to 4096"), ("picture", {"camera": {"positon": [0, 0, 1]}}, "did you mean `position`"),
                 ("picture", {"look": {"color_by": "age"}}, "did you mean `colour_by`"),
-                ("picture", {"look": {"map": "jet"}}, "none of viridis, cividis"), ("picture", {"background": "black"}, "none of shown, white, clear"),
+                ("picture", {"look": {"map": "jet"}}, "not one of viridis, cividis"), ("picture", {"background": "black"}, "not one of shown, white, clear"),
                 ("picture", {"camera": {"position": [1, 1, 1]}}, "a camera needs `target`"), ("picture", {"path": "a.jpg"}, "one of .png"),
                 ("film", {"path": "film", "from": 0}, "film needs `to`"), ("film", {"path": "a.gif", "from": 0, "to": 1}, ".webm"),
-                ("export", {}, "export needs `path`"), ("undo", {"steps": 2}, "no argument")):
+                ("export", {}, "export needs `path`"), ("undo", {"steps": 2}, "not an argument")):
             with self.subTest(tool, **arguments):
                 self.assertIn(words, agent.refusal(tool, **arguments))
         self.assertEqual(agent.ask("ping")["result"], {})
@@ -201,7 +201,7 @@ class ToolsTest(McpCase):
                 self.assertIn("not below the folder", agent.refusal("export", path=path))
             self.assertIn("one of .vtp", agent.refusal("export", path=".bashrc"))
             for hidden in ("a\0.vtp", "a\u202eptv.exe.vtp", "a\x1b[2J.vtp"):
-                self.assertIn("no name", agent.refusal("export", path=hidden))
+                self.assertIn("not a file name", agent.refusal("export", path=hidden))
             for long in (300 * "a" + ".vtp", 600 * "c/" + "a.vtp"):
                 refusal = agent.refusal("export", path=long)
                 self.assertIn("too long", refusal)
@@ -277,7 +277,7 @@ class ToolsTest(McpCase):
         agent.numbers("film", path="film", frames=1, width=320, height=200, **{"from": 0.5, "to": 1})
         self.assertEqual(os.listdir(os.path.join(self.folder, "film")), ["frame_0000.png"], "nothing of the longer film is left")
         agent = self.agent(environment={"WAKESURF_URL": self.url, "WAKESURF_CHROMIUM": "/nowhere"})
-        self.assertIn("is no program", agent.refusal("picture"))
+        self.assertIn("is not a program", agent.refusal("picture"))
 
 
 class TranscriptTest(McpCase):

@@ -69,7 +69,7 @@ class ServeTest(unittest.TestCase):
             os.kill(int(ran.stdout), 0)
 
     def test_says_how_to_get_a_server_where_there_is_none(self):
-        for set_it, words in ((lambda: os.environ.update(WAKESURF="/nowhere/wakesurf"), "'/nowhere/wakesurf' is no program"),
+        for set_it, words in ((lambda: os.environ.update(WAKESURF="/nowhere/wakesurf"), "'/nowhere/wakesurf' is not a program"),
                               (lambda: os.environ.pop("WAKESURF"), "there is no program `wakesurf`")):
             set_it()
             before, os.environ["PATH"] = os.environ["PATH"], "/nowhere"

@@ -48,7 +48,7 @@ class ShowTest(unittest.TestCase):
             self.addCleanup(server.stop)
             shown = wakesurf.Client(server.url).session().show()
         html = shown._repr_mimebundle_()["text/html"]
-        self.assertIn("this is no notebook; and no picture", html)
+        self.assertIn("this is not a notebook; and no picture", html)
         self.assertRegex(html, r'<a href="http://127\.0\.0\.1:\d+/#session=main')
 
     def test_the_notebooks_own_address_behind_jupyter_server_proxy(self):

@@ -347,7 +347,7 @@ core::Result<vtkSmartPointer<vtkDataSet>> fluid_part(vtkDataSet& data, const std
                     return std::move(*slab);
                 return core::fail(Error::Code::Unsupported,
                                   file + " has " + std::to_string((*dimensions)[axis]) +
-                                      " nodes along " + "xyz"[axis] + ", and is no plane",
+                                      " nodes along " + "xyz"[axis] + ", and is not a plane",
                                   "write it with two nodes or more along two axes at least");
             }
         return vtkSmartPointer<vtkDataSet>(&data);

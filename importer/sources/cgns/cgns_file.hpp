@@ -43,8 +43,8 @@ class CgnsFile {
 /// Returns the library's error. Call it directly after a call of the CGNS library that failed.
 inline tl::unexpected<core::Error> cgns_damage(const std::string& file) {
     return core::fail(core::Error::Code::Corrupt,
-                      file + " is damaged or not what it says it is (CGNS: " + cg_get_error() +
-                          ")");
+                      file + " is damaged, or not the kind of file that it claims to be (CGNS: " +
+                          cg_get_error() + ")");
 }
 
 /// Describes a zone, by the file's numbers.

@@ -378,8 +378,9 @@ core::Result<CgnsSurvey> survey_cgns(const ListedFile& file) {
     made_progress();
     const CgnsFile opened(file.path);
     if (!opened.sound())
-        return core::fail(Error::Code::Corrupt, file.name + " is damaged or not what it says it is "
-                                                            "(the CGNS library cannot open it)");
+        return core::fail(Error::Code::Corrupt,
+                          file.name + " is damaged, or not the kind of file that it claims to be "
+                                      "(the CGNS library cannot open it)");
     return Survey(file, opened.id()).run();
 }
 

@@ -94,7 +94,7 @@ core::Result<std::string_view> EnsightStream::bytes(std::size_t count) {
         std::uint32_t length = 0;
         std::memcpy(&length, text_.data() + place, mark);
         if (mark > 0 && (swapped_ ? turned(length) : length) != count)
-            return damaged("a record has another length than it should");
+            return damaged("a record has the wrong length");
     }
     const auto out = std::string_view(text_).substr(at_ + mark, count);
     at_ += count + 2 * mark;

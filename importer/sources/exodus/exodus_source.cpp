@@ -135,7 +135,7 @@ class ExodusSource final : public Source {
             if (p > 0 && !std::equal(times.begin(), times.begin() + std::ptrdiff_t(common),
                                      here->begin(), same_time))
                 return core::fail(Error::Code::Corrupt,
-                                  pieces[p].file().name + " has other times than " +
+                                  pieces[p].file().name + " has different times from " +
                                       pieces.front().file().name,
                                   "they are not of one run");
             if (p > 0 && times.size() != here->size())

@@ -20,9 +20,9 @@ using core::Error;
 namespace {
 
 tl::unexpected<Error> damaged(const std::string& file, int status) {
-    return core::fail(
-        Error::Code::Corrupt,
-        file + " is damaged or not what it says it is (netCDF: " + nc_strerror(status) + ")");
+    return core::fail(Error::Code::Corrupt,
+                      file + " is damaged, or not the kind of file that it claims to be (netCDF: " +
+                          nc_strerror(status) + ")");
 }
 
 tl::unexpected<Error>

@@ -108,7 +108,7 @@ core::Result<std::vector<FoamRegion>> find_regions(const FoamCase& found) {
     for (const auto& part : found.parts)
         if (regions_in(found.folder / part / "constant") != first)
             return core::fail(Error::Code::Corrupt,
-                              part + " of " + found.file + " has other meshes than " +
+                              part + " of " + found.file + " has different meshes from " +
                                   found.parts.front() + ", or none",
                               "decompose the case again, or copy the whole case");
     for (const auto& name : first) {

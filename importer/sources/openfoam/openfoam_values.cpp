@@ -239,8 +239,9 @@ read_foam_values(const std::filesystem::path& file, const std::string& name, int
                           "write the numbers instead: foamDictionary -expand");
     if (!values)
         return core::fail(Error::Code::Corrupt,
-                          name + " ends too early or is no field of " + std::to_string(components) +
-                              " number" + (components == 1 ? "" : "s") + " a cell",
+                          name + " ends too early or is not a field of " +
+                              std::to_string(components) + " number" +
+                              (components == 1 ? "" : "s") + " a cell",
                           "copy it again");
     return std::move(*values);
 }

@@ -101,9 +101,10 @@ core::Result<void> check_layout(const ListedFile& file) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print
     const Handle root(H5Fopen(file.path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
     if (root < 0)
-        return core::fail(Error::Code::Corrupt,
-                          file.name +
-                              " is damaged or not what it says it is (HDF5 cannot open it)");
+        return core::fail(
+            Error::Code::Corrupt,
+            file.name +
+                " is damaged, or not the kind of file that it claims to be (HDF5 cannot open it)");
     if (H5Lexists(root, "VTKHDF", H5P_DEFAULT) <= 0)
         return core::fail(Error::Code::Unsupported, file.name + " is HDF5 without a VTKHDF group",
                           "only HDF5 files with VTK's layout can be read as .hdf");

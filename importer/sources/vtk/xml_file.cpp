@@ -296,7 +296,8 @@ core::Result<VtkFile> load(const ListedFile& file, const WantedArrays& wanted) {
                           file.name + " holds " + header->type + ", which is not a grid");
     reader->SetFileName(file.path.c_str());
     if (reader->CanReadFile(file.path.c_str()) == 0)
-        return core::fail(Error::Code::Corrupt, file.name + " is not what its type says it is");
+        return core::fail(Error::Code::Corrupt,
+                          file.name + " is not of the type that its name says");
     const auto update = [&]() -> core::Result<void> {
         reader->UpdateInformation();
         if (auto clean = messages.verdict(file.name); !clean)

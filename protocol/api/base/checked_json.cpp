@@ -276,7 +276,7 @@ void CheckedJson::inside(std::string_view name, const std::function<void(Checked
     CheckedJson inner(*value);
     read(inner);
     if (const auto sound = inner.verdict(); !sound && fault_.empty()) {
-        fault(name, "is not as it should be: " + sound.error().message);
+        fault(name, "is invalid: " + sound.error().message);
         hint_ = sound.error().hint;
     }
 }

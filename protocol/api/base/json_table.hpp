@@ -144,7 +144,7 @@ std::string read_back(const Json& from, Value& to) {
                 to = each;
                 return {};
             }
-        return "is none that this version knows";
+        return "is unknown to this version";
     } else if constexpr (std::is_same_v<Value, core::Vec3>) {
         std::array<double, 3> axes{};
         wrong = read_back(from, axes);

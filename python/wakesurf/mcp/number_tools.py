@@ -96,7 +96,7 @@ def _compare(work: Work, given: Json, call: Call) -> Answer:
     far = max((each.get("max", 0.0) for each in away.values()), default=0.0)
     mean = max((each.get("mean", 0.0) for each in away.values()), default=0.0)
     grown = "" if numbers["area"]["ratio"] is None else f"{numbers['area']['ratio']:.4g} times the area of"
-    return Answer(f"b has {grown or 'another area than'} a; they are {mean:.3g} apart in the mean, {far:.3g} where they are farthest.", numbers)
+    return Answer(f"b has {grown or 'a different area from'} a; they are {mean:.3g} apart in the mean, {far:.3g} where they are farthest.", numbers)
 
 
 def _explain(work: Work, given: Json, call: Call) -> Answer:

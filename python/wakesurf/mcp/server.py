@@ -181,7 +181,7 @@ def _made(tool: Tool, work: Work, arguments: Json, call: Call) -> Optional[Json]
         return {"content": [_text(str(problem))], "structuredContent": {"error": about}, "isError": True}
     except Exception:  # a fault of ours ends one call, not all
         traceback.print_exc(file=sys.stderr)
-        return {"content": [_text(f"a fault of wakesurf's in {tool.name}: its standard error has the details")], "isError": True}
+        return {"content": [_text(f"wakesurf failed in {tool.name}: its standard error has the details")], "isError": True}
 
 
 def _content(answer: Answer) -> Json:

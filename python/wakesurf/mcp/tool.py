@@ -87,7 +87,7 @@ class Tool:
         for name in given:
             if name not in self.properties:
                 right = meant(name, self.properties)
-                raise _wrong(f"`{name}` is no argument of {self.name}",
+                raise _wrong(f"`{name}` is not an argument of {self.name}",
                              f"did you mean `{right}`?" if right else "there are " + (", ".join(self.properties) or "none"))
         for name in self.required:
             if name not in given:
@@ -114,7 +114,7 @@ def check_value(value: Any, schema: Json, where: str) -> None:
         if not fits:
             raise _wrong(f"`{where}` is not of the type {kind}", str(schema.get("description", "")))
     if "enum" in schema and value not in schema["enum"]:
-        raise _wrong(f"`{where}` is none of {', '.join(schema['enum'])}")
+        raise _wrong(f"`{where}` is not one of {', '.join(schema['enum'])}")
     if "minimum" in schema and value < schema["minimum"] or "maximum" in schema and value > schema["maximum"]:
         raise _wrong(f"`{where}` is not from {schema.get('minimum')} to {schema.get('maximum')}")
     if kind == "array":

@@ -50,7 +50,7 @@ def lines(stream: IO[bytes]) -> Iterator[Union[bytes, Refused]]:
 def message_of(line: bytes) -> Any:
     """Returns the JSON of a line. Error: Refused."""
     def no_number(word: str) -> Any:
-        raise ValueError(f"{word} is no number of JSON")
+        raise ValueError(f"{word} is not a JSON number")
 
     try:
         return json.loads(line.decode("utf-8"), parse_constant=no_number)

@@ -326,7 +326,8 @@ TEST(DatasetCatalogue, TellsNoWordsOfLibraries) {
     Bench bench({folder / "u.vtk"});
     const auto status = bench.wait_until_settled("u");
     ASSERT_EQ(status.state, DatasetState::Failed);
-    EXPECT_EQ(status.error->message, "u.vtk is damaged or not what it says it is");
+    EXPECT_EQ(status.error->message,
+              "u.vtk is damaged, or not the kind of file that it claims to be");
 }
 
 TEST(DatasetCatalogue, AFailedSourceThatIsImportedAgainIsUsableFromItsFirstTimeStep) {

@@ -97,7 +97,7 @@ TEST(JsonTable, SaysWhereAFaultIs) {
     };
     EXPECT_EQ(wrong("/name", nullptr), "`name` is missing");
     EXPECT_EQ(wrong("/name", 1), "`name` must be a string");
-    EXPECT_EQ(wrong("/side", "up"), "`side` is none that this version knows");
+    EXPECT_EQ(wrong("/side", "up"), "`side` is unknown to this version");
     EXPECT_EQ(wrong("/count", 256), "`count` must be a whole number between 0 and 255");
     EXPECT_EQ(wrong("/count", -1), "`count` must be a whole number between 0 and 255");
     EXPECT_EQ(wrong("/count", 1.0), "`count` must be a whole number between 0 and 255");
