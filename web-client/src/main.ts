@@ -51,10 +51,9 @@ import { AppState } from './state/appState.ts';
 import { LatencyLog } from './state/latency.ts';
 import { ViewState } from './state/viewState.ts';
 import { App } from './ui/app.ts';
-import { listenForPresses } from './ui/base/presses.ts';
+import { listenForPresses, listenForUndoKeys } from './ui/base/keyboard.ts';
 import { recallPanel } from './ui/view/room.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
-import { listenForUndoKeys } from './ui/rake/undoKeys.ts';
 import { WorkerClient } from './worker/workerClient.ts';
 
 const noWebGl2 =

@@ -11,17 +11,15 @@ import './look/scalarBar.ts';
 import type { ScalarBarModel } from './look/scalarBar.ts';
 import { NumberTyped } from './base/rows.ts';
 import { SignalElement } from './base/signalElement.ts';
-import { leaveKeys } from './base/typing.ts';
-import './share/noteDialog.ts';
-import type { NoteModel } from './share/noteDialog.ts';
+import { leaveKeys } from './base/keyboard.ts';
+import './share/notesPanel.ts';
+import type { NoteModel } from './share/notesPanel.ts';
 import './time/timeBar.ts';
 import type { TimeBarModel } from './time/timeBar.ts';
-import './view/toolButtons.ts';
-import type { ToolsModel } from './view/toolButtons.ts';
+import './view/viewButtons.ts';
+import type { ToolsModel, ViewButtonsModel } from './view/viewButtons.ts';
 import './help/tour.ts';
 import type { TourModel } from './help/tour.ts';
-import './view/viewButtons.ts';
-import type { ViewButtonsModel } from './view/viewButtons.ts';
 
 /** Describes what each part of the page takes, by the name of the part. */
 /** Are done with once they are pressed, other than handles of a rake, which arrow keys move. */

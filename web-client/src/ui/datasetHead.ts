@@ -7,7 +7,7 @@ import type { DatasetEntry } from '../protocol/messages.ts';
 import type { SessionShelf } from '../session/sessions/sessionShelf.ts';
 import type { AppState } from '../state/appState.ts';
 import { ModelElement } from './base/signalElement.ts';
-import { countWords } from './base/statusWords.ts';
+import { countWords } from './base/words.ts';
 import { isolated } from '../state/announcements.ts';
 
 export interface DatasetHeadModel {

@@ -13,7 +13,7 @@ import './out/copyAs.ts';
 import './help/helpDialog.ts';
 import type { HelpModel } from './help/helpDialog.ts';
 import type { OwnCopy } from '../session/sessions/ownCopy.ts';
-import './share/ownCopy.ts';
+import './base/locked.ts';
 import './share/linksPanel.ts';
 import type { LinksModel } from './share/linksPanel.ts';
 import './share/notesPanel.ts';
@@ -37,12 +37,10 @@ import './surface/surfacePanel.ts';
 import type { SurfaceModel } from './surface/surfacePanel.ts';
 import './view/surroundingsPanel.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
-import './out/filmExport.ts';
-import type { FilmExportModel } from './out/filmExport.ts';
+import './out/pictureExport.ts';
+import type { FilmExportModel, PictureExportModel } from './out/pictureExport.ts';
 import './out/meshExport.ts';
 import type { MeshExportModel } from './out/meshExport.ts';
-import './out/pictureExport.ts';
-import type { PictureExportModel } from './out/pictureExport.ts';
 import { isolated } from '../state/announcements.ts';
 
 export interface ExportModel {

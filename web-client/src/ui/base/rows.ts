@@ -1,12 +1,12 @@
-// Rows of a panel: words, and the control behind or before them. What a row shows is what its panel holds,
-// also where an edit is refused.
-import { html, nothing, type TemplateResult } from 'lit';
+// Rows of a panel: words, and the control behind or before them. What a row shows is what its panel holds, also where an edit is refused;
+// but what is being typed is not overwritten by a render in between, since panels are rendered whenever a surface grows. Numbers are read
+// as people type them, whatever their language and keyboard.
+import { html, noChange, nothing, type TemplateResult } from 'lit';
+import { Directive, directive, type ElementPart, type PropertyPart } from 'lit/directive.js';
 import { live } from 'lit/directives/live.js';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
-import { typedNumber } from './typedNumber.ts';
-import { typedValue } from './typedValue.ts';
-import { leaveKeys } from './typing.ts';
+import { leaveKeys } from './keyboard.ts';
 
 const axes = ['x', 'y', 'z'] as const;
 
@@ -202,4 +202,45 @@ export function vectorFields(
             },
         }),
     );
+}
+
+class TypedValue extends Directive {
+    private given: string | null = null;
+
+    override render(value: string): string {
+        return value;
+    }
+
+    override update(part: PropertyPart | ElementPart, [value]: [string]): unknown {
+        const field = part.element as HTMLInputElement;
+        const focused = (field.getRootNode() as Document | ShadowRoot).activeElement === field;
+        const typing = focused && this.given !== null && field.value !== this.given && field.value !== value;
+        if (typing) return noChange;
+        this.given = value;
+        // Also where the field shows another value than was given last.
+        if (field.value !== value) field.value = value;
+        return noChange;
+    }
+}
+
+/** The value of a field that can be typed into: as given, except while something else is being typed there. */
+export const typedValue = directive(TypedValue);
+
+const plainNumber = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+
+/**
+ * With a comma or a point before the decimals, and spaces between groups of three digits. Returns the number; words say why it
+ * is none; null: nothing was typed.
+ */
+export function typedNumber(text: string): number | string | null {
+    const typed = text.trim();
+    if (typed === '') return null;
+    const closed = typed.replaceAll('\u2212', '-').replace(/(?<=\d)\s(?=\d{3}(?!\d))|(?<=^[+-])\s+|\s+(?=e)|(?<=e)\s+/gi, '');
+    const marks = closed.replace(/[^.,]/g, '');
+    // With both, or several, nobody can tell thousands from decimals.
+    if (marks.length > 1) return `${typed} is not clear: write the number with one comma or point, before its decimals.`;
+    const plain = closed.replace(',', '.');
+    const value = Number(plain);
+    if (!plainNumber.test(plain) || !Number.isFinite(value)) return `${typed} is not a number.`;
+    return value;
 }

@@ -1,9 +1,8 @@
 // Shows what mouse and keys do, and the tour again.
 import { css, html, type TemplateResult } from 'lit';
 import type { ViewState } from '../../state/viewState.ts';
-import { dialogStyles } from '../base/sharedStyles.ts';
-import { ModelElement } from '../base/signalElement.ts';
-import { isTyping } from '../base/typing.ts';
+import { dialogStyles, ModelElement } from '../base/signalElement.ts';
+import { isTyping } from '../base/keyboard.ts';
 
 const hints: readonly [keys: string, words: string][] = [
     ['Drag a handle', 'move the rake; hold Shift to stay on one axis'],

@@ -9,8 +9,8 @@ import type { Edits } from '../../session/edits/edits.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { colourChoices, mapNames } from './colourNames.ts';
-import '../share/ownCopy.ts';
-import type { OwnCopyButton } from '../share/ownCopy.ts';
+import '../base/locked.ts';
+import type { OwnCopyButton } from '../base/locked.ts';
 import { checkRow, numberField, pairRow, selectRow } from '../base/rows.ts';
 import { LookGroup, lookStyles } from './lookStyles.ts';
 

@@ -1,24 +1,20 @@
 // Shows how the selected surface looks: the colours first, everything else in groups that open.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import './clipPanel.ts';
-import type { ClipModel } from './clipPanel.ts';
-import './colourPanel.ts';
-import type { ColourModel } from './colourPanel.ts';
-import './linesPanel.ts';
-import type { LinesModel } from './linesPanel.ts';
-import './piecesPanel.ts';
-import './opacityPanel.ts';
-import type { OpacityModel } from './opacityPanel.ts';
-import './paintPanel.ts';
-import type { PaintModel } from './paintPanel.ts';
-import { ModelElement } from '../base/signalElement.ts';
-import './windowsPanel.ts';
-import type { WindowsModel } from './windowsPanel.ts';
 import type { BodyFlow } from '../../session/picture/bodyFlow.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { BackSide, SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { checkRow } from '../base/rows.ts';
-import { lookStyles } from './lookStyles.ts';
+import { checkRow, type Choice, selectRow, sliderRow } from '../base/rows.ts';
+import { ModelElement } from '../base/signalElement.ts';
+import './colourPanel.ts';
+import type { ColourModel } from './colourPanel.ts';
+import './cutPanels.ts';
+import type { ClipModel, WindowsModel } from './cutPanels.ts';
+import './linesPanel.ts';
+import type { LinesModel } from './linesPanel.ts';
+import { LookGroup, lookStyles } from './lookStyles.ts';
+import './paintPanel.ts';
+import type { PaintModel } from './paintPanel.ts';
 
 export interface BodyModel {
     state: Pick<AppState, 'dataset'>;
@@ -127,3 +123,62 @@ export class LookPanel extends ModelElement<LookModel> {
 }
 
 customElements.define('wakesurf-look', LookPanel);
+
+const sides: readonly Choice<BackSide>[] = [
+    { value: 'shaded', words: 'A little darker' },
+    { value: 'tinted', words: 'Tinted orange' },
+    { value: 'same', words: 'The same' },
+];
+
+export interface OpacityModel {
+    state: Pick<AppState, 'activeSurface'>;
+    view: Pick<ViewState, 'changeLook' | 'exactWhenStill' | 'lookOf'>;
+}
+
+/** How much of what is behind the selected surface is seen through it, its outlines and its other side. */
+export class OpacityPanel extends LookGroup<OpacityModel> {
+    override render(): TemplateResult {
+        const { look } = this;
+        const { view } = this.model;
+        const percent = (part: number): string => `${Math.round(100 * part)} %`;
+        const slider = { low: 0, high: 1, step: 0.05 };
+        return html`
+            ${sliderRow({
+                ...{ ...slider, low: 0.05, id: 'opacity', words: 'Opacity', value: look.opacity },
+                shown: percent(look.opacity),
+                change: (opacity) => this.change({ opacity }),
+            })}
+            ${checkRow(
+                'More opaque when seen edge-on',
+                look.angleOpacity,
+                (angleOpacity) => this.change({ angleOpacity, ...dimmed(look, angleOpacity) }),
+                { id: 'angle-opacity' },
+            )}
+            ${sliderRow({
+                ...{ ...slider, id: 'smoke', words: 'Smoke', value: look.smoke },
+                shown: look.smoke === 0 ? 'off' : percent(look.smoke),
+                change: (smoke) => this.change({ smoke, ...dimmed(look, smoke > 0, 0.9) }),
+            })}
+            <p class="quiet">Smoke thins where the surface has been stretched, and with age.</p>
+            ${checkRow('Points instead of cells', look.points, (points) => this.change({ points }), { id: 'points' })}
+            ${checkRow('Outlines', look.silhouettes, (silhouettes) => this.change({ silhouettes }), { id: 'silhouettes' })}
+            ${selectRow('back-side', 'Other side', sides, look.backSide, (backSide) => this.change({ backSide }))}
+            ${checkRow(
+                'Exact order when still',
+                view.exactWhenStill.value,
+                (on) => {
+                    view.exactWhenStill.value = on;
+                },
+                { id: 'exact-order' },
+            )}
+            <p class="quiet">Applies to all transparent surfaces. While the view moves, transparency is approximate; pictures and films are always exact.</p>
+        `;
+    }
+}
+
+/** Makes a surface let something through, so that more or less of that can be chosen. */
+function dimmed({ opacity }: SurfaceLook, on: boolean, to = 0.6): Partial<SurfaceLook> {
+    return on && opacity > 0.95 ? { opacity: to } : {};
+}
+
+customElements.define('wakesurf-opacity', OpacityPanel);

@@ -8,7 +8,7 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import { checkRow, sliderRow } from '../base/rows.ts';
 import { LookGroup, lookStyles } from './lookStyles.ts';
-import { countWords } from '../base/statusWords.ts';
+import { countWords } from '../base/words.ts';
 
 const listedAtMost = 12;
 

@@ -6,9 +6,8 @@ import { signal } from '@preact/signals-core';
 import { curlScript, pythonScript, type ScriptStep } from '../../session/out/scripts.ts';
 import { baseUrl, readFragment } from '../../session/view/urlState.ts';
 import type { AppState } from '../../state/appState.ts';
-import { copyText } from '../base/copyText.ts';
-import { dialogStyles } from '../base/sharedStyles.ts';
-import { ModelElement } from '../base/signalElement.ts';
+import { copyText } from '../base/takeAway.ts';
+import { dialogStyles, ModelElement } from '../base/signalElement.ts';
 
 const languages = { Python: pythonScript, curl: curlScript };
 type Language = keyof typeof languages;

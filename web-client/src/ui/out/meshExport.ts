@@ -8,9 +8,9 @@ import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import './copyAs.ts';
-import { exportStyles } from './exportStyles.ts';
+import { exportStyles } from './exportParts.ts';
 import { checkRow, type Choice, selectRow } from '../base/rows.ts';
-import { fileName, saveFile } from '../base/saveFile.ts';
+import { fileName, saveFile } from '../base/takeAway.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 type FileChoice = MeshFile & Choice<string>;

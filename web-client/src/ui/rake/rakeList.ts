@@ -7,7 +7,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { isolated } from '../../state/announcements.ts';
 import { showsRake, toggled } from '../../state/pageView.ts';
-import { titleOf } from '../base/lockedWords.ts';
+import { titleOf } from '../base/locked.ts';
 import { icon, type IconName } from '../base/icons.ts';
 import { ModelElement } from '../base/signalElement.ts';
 

@@ -1,23 +1,102 @@
 // The chosen rake in numbers, by buttons and by keys: everything a pointer can do to it, without dragging.
-import { limits } from '../../protocol/generated/limits.ts';
-import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { limits } from '../../protocol/generated/limits.ts';
 import type { RakeKind, Vec3 } from '../../protocol/messages.ts';
-import { diagonal } from '../../scene/camera/cameraControls.ts';
-import { gripOf, type Handle } from '../../scene/rake/rakeHandles.ts';
-import { asKind, circleOf, circleShape, type RakeShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
-import { gridStep, unitAxis } from '../../scene/rake/rakeDrag.ts';
-import { withCoordinate } from '../../scene/rake/rakeInteraction.ts';
 import { fieldNumber, niceStep, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
-import { numberProblems } from '../../session/edits/rakeEdits.ts';
-import { coordinateField, coordinateText, withUnit } from '../../session/picture/writtenNumbers.ts';
+import { diagonal } from '../../scene/camera/cameraControls.ts';
+import { gridStep, unitAxis } from '../../scene/rake/rakeDrag.ts';
+import { gripOf, type Handle } from '../../scene/rake/rakeHandles.ts';
+import { withCoordinate } from '../../scene/rake/rakeInteraction.ts';
+import { asKind, circleOf, circleShape, type RakeShape, withoutPoint, withPointAfter } from '../../scene/rake/rakeShape.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
+import { numberProblems } from '../../session/edits/rakeEdits.ts';
+import { coordinateField, coordinateText, withUnit } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { rakePanelStyles } from './rakePanelStyles.ts';
 import { checkRow, numberField, numberRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
+
+export const rakePanelStyles = css`
+    fieldset {
+        display: contents;
+    }
+    .pair {
+        display: grid;
+        grid-template-columns: 1fr 1fr;
+        gap: 10px;
+    }
+    .pair label {
+        display: grid;
+        grid-template-columns: auto minmax(0, 1fr);
+        gap: 8px;
+        align-items: center;
+    }
+    .row {
+        margin-top: 8px;
+    }
+    .row input,
+    .row select {
+        width: 84px;
+    }
+    select {
+        min-width: 0;
+    }
+    .point {
+        display: grid;
+        grid-template-columns: 62px repeat(3, minmax(0, 1fr));
+        gap: 6px;
+        align-items: center;
+        margin-top: 6px;
+    }
+    .point input.long {
+        padding-inline: 2px;
+        font-size: 11px;
+        letter-spacing: -0.2px;
+    }
+    .handle {
+        padding-inline: 2px;
+    }
+    [aria-pressed='true'] {
+        border-color: var(--accent);
+        box-shadow: inset 0 0 0 1px var(--accent);
+    }
+    .turn {
+        grid-template-columns: 62px 1fr 1fr;
+    }
+    .heads {
+        margin: 8px 0 -6px;
+        color: var(--quiet);
+        text-align: center;
+    }
+    .tools {
+        margin-top: 10px;
+        padding: 2px 10px 10px;
+        border: 1px solid var(--line);
+        border-radius: 8px;
+    }
+    .nudges {
+        display: grid;
+        grid-template-columns: repeat(6, minmax(0, 1fr));
+        gap: 4px;
+        margin-top: 8px;
+    }
+    .nudges.two {
+        grid-template-columns: 1fr 1fr;
+    }
+    .nudges button {
+        padding-inline: 2px;
+    }
+    .wide {
+        width: 100%;
+        margin-top: 8px;
+    }
+    .check {
+        margin-top: 10px;
+        cursor: pointer;
+    }
+`;
 
 type Axis = 0 | 1 | 2;
 

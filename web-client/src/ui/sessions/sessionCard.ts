@@ -1,9 +1,9 @@
-// One session of the list: its picture, who was in it and when, and what can be done with it.
-import { html, nothing, type TemplateResult } from 'lit';
+// One session of the list: its picture, who was in it and when, and what can be done with it. An image cannot show the login, so it is
+// fetched; once it is looked at.
+import { css, html, LitElement, nothing, type PropertyValues, type TemplateResult } from 'lit';
 import type { SessionEntry } from '../../protocol/messages.ts';
-import { agoWords, dayWords } from '../base/timeWords.ts';
-import './sessionPicture.ts';
 import { isolated } from '../../state/announcements.ts';
+import { agoWords, dayWords } from '../base/words.ts';
 
 /** Describes what is asked about a session before it is done. */
 export type Question = 'rename' | 'delete' | 'forever';
@@ -156,3 +156,75 @@ function contentWords({ rakes, surfaces, annotations, bookmarks, edited }: Sessi
     const words = counts.filter(([count]) => count > 0).map(([count, word]) => `${count} ${word}${count === 1 ? '' : 's'}`);
     return words.length === 0 ? 'empty' : words.join(', ');
 }
+
+export class SessionPicture extends LitElement {
+    static override properties = {
+        session: {},
+        look: {},
+        fetchPicture: { attribute: false },
+        address: { state: true },
+    };
+    declare session: string;
+    /** Another one than before: the picture may be another as well. */
+    declare look: number;
+    declare fetchPicture: (session: string) => Promise<Blob | null>;
+    declare address: string | null;
+    private seen = false;
+    private readonly observer = new IntersectionObserver((entries) => {
+        if (!entries.some(({ isIntersecting }) => isIntersecting)) return;
+        this.observer.disconnect();
+        this.seen = true;
+        void this.load();
+    });
+
+    static override styles = css`
+        :host {
+            display: block;
+            width: 100%;
+            height: 100%;
+        }
+        img {
+            display: block;
+            width: 100%;
+            height: 100%;
+            object-fit: cover;
+        }
+    `;
+
+    constructor() {
+        super();
+        this.address = null;
+    }
+
+    override connectedCallback(): void {
+        super.connectedCallback();
+        this.observer.observe(this);
+    }
+
+    override disconnectedCallback(): void {
+        super.disconnectedCallback();
+        this.observer.disconnect();
+        this.show(null);
+    }
+
+    protected override updated(changed: PropertyValues<this>): void {
+        if (this.seen && (changed.has('session') || changed.has('look'))) void this.load();
+    }
+
+    override render(): TemplateResult | typeof nothing {
+        return this.address === null ? nothing : html`<img alt="" src=${this.address} />`;
+    }
+
+    private async load(): Promise<void> {
+        const { session, look } = this;
+        const image = await this.fetchPicture(session);
+        if (this.isConnected && session === this.session && look === this.look) this.show(image);
+    }
+
+    private show(image: Blob | null): void {
+        if (this.address !== null) URL.revokeObjectURL(this.address);
+        this.address = image === null ? null : URL.createObjectURL(image);
+    }
+}
+
+customElements.define('wakesurf-session-picture', SessionPicture);

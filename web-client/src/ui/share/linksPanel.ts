@@ -6,11 +6,10 @@ import type { Calls } from '../../session/base/calls.ts';
 import type { Views } from '../../session/view/views.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { copyText } from '../base/copyText.ts';
-import { momentWords } from '../base/timeWords.ts';
-import './ownCopy.ts';
-import type { OwnCopyButton } from './ownCopy.ts';
-import { roleWords } from './roleWords.ts';
+import { copyText } from '../base/takeAway.ts';
+import { momentWords, roleWords } from '../base/words.ts';
+import '../base/locked.ts';
+import type { OwnCopyButton } from '../base/locked.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { isolated } from '../../state/announcements.ts';
 

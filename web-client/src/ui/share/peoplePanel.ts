@@ -5,7 +5,7 @@ import type { Calls } from '../../session/base/calls.ts';
 import type { People } from '../../session/people/people.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { roleWords } from './roleWords.ts';
+import { roleWords } from '../base/words.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { isolated } from '../../state/announcements.ts';
 

@@ -1,15 +1,63 @@
 // Shows what stands in the way at the moment: no connection, data still being imported, a notice, an edit
 // that was refused. Over the picture, because the panel may be scrolled.
-import { css, html, nothing, type TemplateResult } from 'lit';
+import { css, html, LitElement, nothing, type TemplateResult } from 'lit';
 import { type DatasetEntry, errorWords } from '../../protocol/messages.ts';
-import { type Announcements, isolated } from '../../state/announcements.ts';
 import type { ImportWait } from '../../session/importWait.ts';
 import { velocitiesOf } from '../../session/openDataset.ts';
+import { type Announcements, isolated } from '../../state/announcements.ts';
 import type { AppState, GoneSession } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { ModelElement } from '../base/signalElement.ts';
-import './linkField.ts';
-import { dayWords } from '../base/timeWords.ts';
+import { ModelElement, sharedStyles } from '../base/signalElement.ts';
+import { dayWords } from '../base/words.ts';
+
+const noLink = 'There is no token in this. Paste the whole link, with the part after token=.';
+
+/** A field for another link, on a page that the server does not let in. */
+export class LinkField extends LitElement {
+    static override properties = { take: { attribute: false }, wrong: { state: true } };
+    /** False: what was typed is no link. */
+    declare take: (text: string) => boolean;
+    declare wrong: boolean;
+
+    static override styles = [
+        sharedStyles,
+        css`
+            form {
+                display: flex;
+                gap: 8px;
+                margin-top: 8px;
+            }
+            input {
+                flex: 1;
+                min-width: 0;
+            }
+        `,
+    ];
+
+    override render(): TemplateResult {
+        return html`<form @submit=${(event: SubmitEvent) => this.submit(event)}>
+                <input
+                    name="link"
+                    aria-label="New link"
+                    placeholder="Paste a new link here"
+                    autocomplete="off"
+                    spellcheck="false"
+                    required
+                />
+                <button type="submit">Connect</button>
+            </form>
+            ${this.wrong ? html`<p role="alert">${noLink}</p>` : nothing}`;
+    }
+
+    private submit(event: SubmitEvent): void {
+        event.preventDefault();
+        const field = this.renderRoot.querySelector('input')!;
+        this.wrong = !this.take(field.value);
+        if (!this.wrong) field.value = '';
+    }
+}
+
+customElements.define('wakesurf-link-field', LinkField);
 
 export interface BannerModel {
     state: AppState;

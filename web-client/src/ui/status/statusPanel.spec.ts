@@ -1,9 +1,9 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceStats } from '../../protocol/messages.ts';
-import { displayedOf, sampleStatistics } from '../../testing/records.ts';
 import type { SurfaceStanding } from '../../state/appState.ts';
 import { PageBench } from '../../testing/pageBench.ts';
+import { displayedOf, sampleStatistics } from '../../testing/records.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
 import './statusPanel.ts';
 

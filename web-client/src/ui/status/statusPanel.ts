@@ -1,20 +1,165 @@
-// Shows how far the server has come with the surface, in words and numbers.
+// How far the server has come with the surface, in words and numbers; what one could have instead of one that takes long; and how long the
+// newest edit took until it was on the screen, and where that time went.
+import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
+import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
+import type { SurfaceStats } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
+import { meshIsCoarse } from '../../session/out/exportNames.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
-import type { SurfaceProgress } from '../../session/surface/surfaceProgress.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
-import type { SurfaceStats } from '../../protocol/messages.ts';
-import { surfaceSetRanges } from '../../protocol/generated/surface.ts';
+import { faster, type LessWork, standingWords, type SurfaceProgress, untilHere } from '../../session/surface/surfaceProgress.ts';
 import type { AppState, SurfacePhase } from '../../state/appState.ts';
+import { type LatencyPart, latencyParts } from '../../state/latency.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import './latencyPanel.ts';
+import { countWords, phaseWords } from '../base/words.ts';
+import { downloadMesh } from '../out/meshExport.ts';
 import '../surface/qualityPanel.ts';
-import './longPass.ts';
-import { countWords, phaseWords } from '../base/statusWords.ts';
+
+export interface LongPassModel {
+    state: AppState;
+    view: Pick<ViewState, 'lookOf' | 'units'>;
+    edits: Pick<Edits, 'changeSurface' | 'intent'>;
+    mesh: MeshDownload;
+}
+
+/** A surface that takes long. */
+export class LongPass extends ModelElement<LongPassModel> {
+    static override styles = css`
+        p {
+            margin: 0 0 4px;
+        }
+        [role='group'] {
+            display: flex;
+            flex-wrap: wrap;
+            gap: 6px;
+            margin: 0 0 8px;
+        }
+    `;
+
+    override render(): TemplateResult {
+        const { state, view } = this.model;
+        const standing = state.progress.value;
+        if (standing === null || standing.lasting === 'briefly') return html``;
+        return html`<p class="value" id="standing">${standingWords(standing, state, view)}</p>
+            ${standing.lasting === 'long' ? this.offers() : nothing}`;
+    }
+
+    private offers(): TemplateResult {
+        const { state, view, edits } = this.model;
+        const intent = edits.intent.value;
+        const standing = state.progress.value;
+        const may = intent !== null && standing !== null && !state.locked.value;
+        const until = may ? untilHere(intent, standing, view) : null;
+        return html`<p>This takes long. Instead:</p>
+            <div role="group" aria-label="Instead of waiting">
+                ${may ? faster(intent, view).map((less) => this.less(less, 'Compute a surface that is there sooner')) : nothing}
+                ${until === null ? nothing : this.less(until, 'End the surface where the work has come to')}
+                ${
+                    meshIsCoarse(state)
+                        ? html`<button
+                              type="button"
+                              title="Download the mesh that is shown; the name of the file says that it is coarse"
+                              @click=${() => downloadMesh(this.model, true)}
+                          >
+                              As it is now
+                          </button>`
+                        : nothing
+                }
+            </div>`;
+    }
+
+    private less({ change, words }: LessWork, title: string): TemplateResult {
+        return html`<button type="button" title=${title} @click=${() => this.model.edits.changeSurface(change)}>${words}</button>`;
+    }
+}
+
+customElements.define('wakesurf-long-pass', LongPass);
+
+const partWords: Record<LatencyPart, string> = {
+    network: 'Network round trip',
+    queue: 'Waiting in the queue',
+    load: 'Reading the data',
+    compute: 'Computing',
+    encode: 'Encoding',
+    decode: 'Decoding',
+    draw: 'Drawing',
+    rest: 'Waiting for frames',
+};
+
+export interface LatencyModel {
+    state: Pick<AppState, 'latency' | 'roundTripMs'>;
+}
+
+/** How long the newest edit took until it was on the screen, and where that time went. */
+export class LatencyPanel extends ModelElement<LatencyModel> {
+    private readonly open = signal(false);
+
+    static override styles = css`
+        :host {
+            display: block;
+        }
+        summary span {
+            float: right;
+            color: var(--text);
+        }
+        dl {
+            grid-template-columns: 1fr 70px auto;
+            gap: 2px 8px;
+            align-items: center;
+            margin: 4px 0 0;
+            font-size: 12px;
+        }
+        summary {
+            font-variant-numeric: tabular-nums;
+        }
+        meter {
+            width: 100%;
+            height: 10px;
+        }
+    `;
+
+    override render(): TemplateResult {
+        const sample = this.model.state.latency.value;
+        const roundTrip = this.model.state.roundTripMs.value;
+        return html`<details id="latency" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
+            <summary class="quiet">
+                Edit to picture
+                <span id="latency-total">${sample === null ? '–' : `${Math.round(sample.milliseconds)} ms`}</span>
+            </summary>
+            <dl>
+                ${
+                    !this.open.value
+                        ? nothing
+                        : sample === null
+                          ? html`<dt>There and back</dt>
+                          <dd></dd>
+                          <dd>${roundTrip === null ? '–' : words(roundTrip)}</dd>`
+                          : latencyParts.map(
+                                (part) => html`<dt>${partWords[part]}</dt>
+                              <dd>
+                                  <meter
+                                      aria-label=${partWords[part]}
+                                      max=${sample.milliseconds}
+                                      .value=${sample.parts[part]}
+                                  ></meter>
+                              </dd>
+                              <dd data-part=${part}>${words(sample.parts[part])}</dd>`,
+                            )
+                }
+            </dl>
+        </details>`;
+    }
+}
+
+function words(milliseconds: number): string {
+    return `${milliseconds < 10 ? milliseconds.toFixed(1) : Math.round(milliseconds)} ms`;
+}
+
+customElements.define('wakesurf-latency', LatencyPanel);
 
 export interface StatusModel {
     state: AppState;

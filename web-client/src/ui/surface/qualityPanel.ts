@@ -7,7 +7,7 @@ import { shortNumber } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { countWords } from '../base/statusWords.ts';
+import { countWords } from '../base/words.ts';
 
 const reasons: readonly { reason: keyof Terminations; words: string }[] = [
     { reason: 'time', words: 'Reached the end time' },

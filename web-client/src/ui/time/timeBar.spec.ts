@@ -5,7 +5,27 @@ import type { StepHeld } from '../../protocol/messages.ts';
 import { PageBench, put } from '../../testing/pageBench.ts';
 import { displayedOf } from '../../testing/records.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
+import { type KeyPress, timeKey } from './timeBar.ts';
 import './timeBar.ts';
+
+const press = (key: string, more: Partial<KeyPress> = {}): KeyPress => ({
+    ...{ key, ctrlKey: false, altKey: false, metaKey: false, defaultPrevented: false, ...more },
+});
+
+describe('timeKey', () => {
+    it('knows three keys', () => {
+        expect([' ', ',', '.', 'a', 'Enter'].map((key) => timeKey(press(key), false))).toEqual([
+            ...['toggle', 'back', 'forward', null, null],
+        ]);
+    });
+
+    it('leaves keys to the elements that want them', () => {
+        expect(timeKey(press(' '), true)).toBeNull();
+        expect(timeKey(press('.'), true)).toBe('forward');
+        expect(timeKey(press(' ', { ctrlKey: true }), false)).toBeNull();
+        expect(timeKey(press(' ', { defaultPrevented: true }), false)).toBeNull();
+    });
+});
 
 let bench: PageBench;
 let bar: ShownPanel;

@@ -1,25 +1,138 @@
 // Below the picture: when it is of, how that runs, and the timeline.
-import { html, nothing, type TemplateResult } from 'lit';
+import { css, html, nothing, type TemplateResult } from 'lit';
 import type { SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
-import { timeSteps } from '../../session/out/panelSteps.ts';
-import { residentWords } from '../../session/time/cachedSteps.ts';
-import { clockText, timeField, timeWords, withUnit } from '../../session/picture/writtenNumbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
+import { timeSteps } from '../../session/out/panelSteps.ts';
+import { clockText, timeField, timeWords, withUnit } from '../../session/picture/writtenNumbers.ts';
+import { residentWords } from '../../session/time/cachedSteps.ts';
 import type { Playback } from '../../session/time/playback.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import '../out/copyAs.ts';
-import { titleOf } from '../base/lockedWords.ts';
-import '../share/ownCopy.ts';
-import type { OwnCopyButton } from '../share/ownCopy.ts';
 import { icon } from '../base/icons.ts';
+import { isTyping, leaveKeys } from '../base/keyboard.ts';
+import { type OwnCopyButton, titleOf } from '../base/locked.ts';
+import '../base/locked.ts';
 import { numberField } from '../base/rows.ts';
-import { leaveKeys } from '../base/typing.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { timeBarStyles } from './timeBarStyles.ts';
-import { timeKeyOf } from './timeKeys.ts';
+import '../out/copyAs.ts';
 import './timeline.ts';
+
+export const timeBarStyles = css`
+    :host {
+        display: block;
+        padding: 6px 10px 4px;
+        background: var(--ground);
+        border-top: 1px solid var(--line);
+    }
+    .row {
+        flex-wrap: wrap;
+        justify-content: normal;
+        gap: 4px 10px;
+        min-height: 28px;
+    }
+    .buttons {
+        display: flex;
+        gap: 3px;
+    }
+    .buttons button {
+        display: grid;
+        place-content: center;
+        width: 29px;
+        padding: 0;
+    }
+    button:disabled {
+        opacity: 0.45;
+        cursor: default;
+    }
+    [aria-pressed='true'] {
+        border-color: var(--accent);
+        color: var(--accent);
+    }
+    #speed {
+        max-width: 150px;
+    }
+    input.number {
+        field-sizing: content;
+        min-width: 74px;
+        max-width: 150px;
+        text-align: right;
+        font-variant-numeric: tabular-nums;
+    }
+    label {
+        display: flex;
+        align-items: center;
+        gap: 6px;
+    }
+    .words {
+        font-variant-numeric: tabular-nums;
+    }
+    .quiet,
+    .below {
+        color: var(--quiet);
+        font-size: 12px;
+    }
+    .below {
+        justify-content: space-between;
+        min-height: 24px;
+    }
+    .legend {
+        display: flex;
+        flex-wrap: wrap;
+        gap: 2px 12px;
+    }
+    .legend svg {
+        margin-right: 4px;
+        vertical-align: -1px;
+    }
+    .legend rect {
+        fill: none;
+        stroke: currentColor;
+    }
+    .legend path {
+        fill: currentColor;
+    }
+    wakesurf-copy-as {
+        margin: 0;
+    }
+    /* Scripts are for where there are terminals; the signs of the marks are in the timeline's own words. */
+    @media (max-width: 500px), (max-height: 500px) {
+        #speed {
+            max-width: 112px;
+        }
+        wakesurf-copy-as,
+        .legend [aria-hidden] {
+            display: none;
+        }
+    }
+`;
+
+export type TimeKey = 'toggle' | 'back' | 'forward';
+
+/** Describes what of a key press matters here; KeyboardEvent has it. */
+export type KeyPress = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'altKey' | 'metaKey' | 'defaultPrevented'>;
+
+/**
+ * Space plays and pauses, comma and full stop step; not while something else wants them: a field that is typed in, a button in
+ * focus, an open dialog. Null where the key is none of these. `spaceTaken`: the element in focus does something of its own when
+ * space is pressed.
+ */
+export function timeKey(press: KeyPress, spaceTaken: boolean): TimeKey | null {
+    if (press.ctrlKey || press.altKey || press.metaKey || press.defaultPrevented) return null;
+    if (press.key === ',') return 'back';
+    if (press.key === '.') return 'forward';
+    return press.key === ' ' && !spaceTaken ? 'toggle' : null;
+}
+
+export function timeKeyOf(event: KeyboardEvent): TimeKey | null {
+    const [target] = event.composedPath();
+    const takes = target instanceof Element && target.matches(spaceTakers);
+    return isTyping(event) ? null : timeKey(event, takes);
+}
+
+/** Of the radio button that is chosen, and of the tab that is open, space would change nothing. */
+const spaceTakers =
+    'button:not([aria-selected="true"]), input:not([type="range"], [type="radio"]:checked), select, summary, a[href]';
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 

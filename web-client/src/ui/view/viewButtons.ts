@@ -1,11 +1,12 @@
-// Which way the axes point, and views of the whole domain for when the camera has lost its way: each end of
-// an axis is a button that looks from there.
+// Buttons over the picture: which way the axes point, and views of the whole domain for when the camera has lost its way, each end of an
+// axis being a button that looks from there; and what a click on the picture does, which without a tool only turns the view.
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from 'lit';
 import { Vector3 } from 'three';
-import type { ViewName } from '../../scene/camera/cameraControls.ts';
 import type { View } from '../../scene/base/view.ts';
+import type { ViewName } from '../../scene/camera/cameraControls.ts';
 import type { FlowScene } from '../../scene/scene.ts';
-import type { ViewState } from '../../state/viewState.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { Tool, ViewState } from '../../state/viewState.ts';
 import { icon } from '../base/icons.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { hasFullScreen, togglePanel, turnFullScreen } from './room.ts';
@@ -194,3 +195,55 @@ export class ViewButtons extends ModelElement<ViewButtonsModel> {
 }
 
 customElements.define('wakesurf-view-buttons', ViewButtons);
+
+const tools: readonly { tool: Tool; label: string; words: string; edits: boolean }[] = [
+    { tool: 'probe', label: 'Probe', words: 'Show the flow under the pointer; click to keep the point', edits: false },
+    { tool: 'measure', label: 'Measure', words: 'Measure the distance between two clicks', edits: false },
+    { tool: 'annotate', label: 'Note', words: 'Click to place a note', edits: true },
+];
+
+export interface ToolsModel {
+    state: Pick<AppState, 'role'>;
+    view: Pick<ViewState, 'tool'>;
+}
+
+/** What a click on the picture does. */
+export class ToolButtons extends ModelElement<ToolsModel> {
+    static override styles = css`
+        div {
+            display: grid;
+            gap: 4px;
+        }
+        @media (max-width: 760px), (max-height: 500px) {
+            div {
+                grid-auto-flow: column;
+            }
+        }
+        button[aria-pressed='true'] {
+            border-color: var(--accent);
+            background: var(--accent);
+            color: var(--ground);
+        }
+    `;
+
+    override render(): TemplateResult {
+        const { view, state } = this.model;
+        const viewer = state.role.value === 'viewer';
+        return html`<div role="group" aria-label="Tools">
+            ${tools.map(({ tool, label, words, edits }) => {
+                const chosen = view.tool.value === tool;
+                return html`<button
+                    type="button"
+                    title=${viewer && edits ? `${words} (your link is for looking)` : words}
+                    aria-pressed=${chosen ? 'true' : 'false'}
+                    ?disabled=${viewer && edits}
+                    @click=${() => (view.tool.value = chosen ? 'none' : tool)}
+                >
+                    ${label}
+                </button>`;
+            })}
+        </div>`;
+    }
+}
+
+customElements.define('wakesurf-tool-buttons', ToolButtons);

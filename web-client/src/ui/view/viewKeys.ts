@@ -1,9 +1,9 @@
-// Keys for the view, wherever the focus is.
+// Keys for the view, wherever the focus is; those that turn, move and zoom it while the picture has the focus, or nothing has.
+import type { CameraControls } from '../../scene/camera/cameraControls.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { People } from '../../session/people/people.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { isTyping } from '../base/typing.ts';
-import { turnByKey } from './cameraKeys.ts';
+import { isTyping } from '../base/keyboard.ts';
 import { togglePanel, turnFullScreen } from './room.ts';
 
 export interface ViewKeysModel {
@@ -35,4 +35,36 @@ export function listenForViewKeys({ view, scene, people }: ViewKeysModel): void 
 function isFree(event: KeyboardEvent): boolean {
     const [at] = event.composedPath();
     return at instanceof HTMLCanvasElement || at === document.body;
+}
+
+const turnStep = (5 * Math.PI) / 180;
+const panStep = 0.05;
+const zoomStep = 1.15;
+
+const arrows = new Map<string, readonly [right: number, up: number]>([
+    ['ArrowRight', [1, 0]],
+    ['ArrowLeft', [-1, 0]],
+    ['ArrowUp', [0, 1]],
+    ['ArrowDown', [0, -1]],
+]);
+const zooms = new Map([
+    ['+', zoomStep],
+    ['=', zoomStep],
+    ['-', 1 / zoomStep],
+]);
+
+export type TurnedView = Pick<CameraControls, 'turn' | 'pan' | 'zoom'>;
+
+/** False where the key is none of these. */
+export function turnByKey({ key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>, controls: TurnedView): boolean {
+    const arrow = arrows.get(key);
+    const zoom = zooms.get(key);
+    if (arrow !== undefined) {
+        const [right, up] = arrow;
+        if (shiftKey) controls.pan(panStep * right, panStep * up);
+        // The picture turns as if it were dragged that way.
+        else controls.turn(turnStep * right, turnStep * up);
+    } else if (zoom !== undefined) controls.zoom(zoom);
+    else return false;
+    return true;
 }

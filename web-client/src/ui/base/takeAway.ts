@@ -1,4 +1,15 @@
-// Hands a file to the user, as a download of the browser.
+// Text and files handed to the user: to the clipboard, where the browser lets a page do that (not over plain HTTP from another machine), or
+// as a download.
+
+/** False when it could not be copied. */
+export async function copyText(text: string): Promise<boolean> {
+    try {
+        await navigator.clipboard.writeText(text);
+        return true;
+    } catch {
+        return false;
+    }
+}
 
 export function saveFile(content: Blob, name: string): void {
     const link = document.createElement('a');

@@ -1,8 +1,50 @@
-// Chooses how large a picture or a film is to be: some usual sizes, that of the page, or numbers.
-import { html, nothing, type TemplateResult } from 'lit';
+// What the parts of the tab "Export" share: styles, and the choice of a size, which is a usual one, that of the page, or numbers.
 import { signal } from '@preact/signals-core';
+import { css, html, nothing, type TemplateResult } from 'lit';
 import type { ScreenSize } from '../../scene/base/view.ts';
 import { numberField, selectRow } from '../base/rows.ts';
+
+export const exportStyles = css`
+    :host {
+        display: block;
+    }
+    .row,
+    .check {
+        margin-top: 6px;
+    }
+    div.row {
+        justify-content: flex-start;
+        flex-wrap: wrap;
+    }
+    select {
+        max-width: 100%;
+    }
+    input.number {
+        width: 84px;
+        text-align: right;
+        font-variant-numeric: tabular-nums;
+    }
+    .check {
+        gap: 6px;
+    }
+    .check input {
+        width: 16px;
+        height: 16px;
+    }
+    .checks {
+        display: grid;
+        grid-template-columns: 1fr 1fr;
+    }
+    button {
+        min-width: 68px;
+    }
+    progress {
+        width: 100%;
+    }
+    p[role='alert'] {
+        color: var(--warm);
+    }
+`;
 
 export class SizeChoice {
     private readonly id: string;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { agoWords, dayWords } from './timeWords.ts';
+import { agoWords, dayWords } from './words.ts';
 
 describe('a moment in words', () => {
     it('is told by the largest unit that fits', () => {

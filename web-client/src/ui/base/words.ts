@@ -1,4 +1,27 @@
-// Moments in words, as people say them.
+// What several panels say: the state of the picture, in which what is coarse or old must not pass for the result, moments as people say
+// them, and the names of roles.
+import type { Role } from '../../protocol/messages.ts';
+import type { SurfacePhase } from '../../state/appState.ts';
+
+export const phaseWords: Record<SurfacePhase, string> = {
+    waiting: 'Waiting for the server …',
+    ended: 'No longer connected',
+    gone: 'Not in a session',
+    hidden: 'Hidden',
+    none: 'Computing the first surface …',
+    updating: 'Updating …',
+    coarse: 'Coarse, refining …',
+    live: 'Playing',
+    final: 'Final',
+    coarsened: 'Coarser than asked for',
+    empty: 'Nothing to see',
+    stopped: 'Stopped before it was final',
+    error: 'Not computed',
+};
+
+export function countWords(count: number): string {
+    return count.toLocaleString('en').replaceAll(',', '\u202f');
+}
 
 const steps: readonly [seconds: number, unit: Intl.RelativeTimeFormatUnit][] = [
     [31_536_000, 'year'],
@@ -28,3 +51,9 @@ export function momentWords(moment: Date): string {
     const today = moment.toDateString() === new Date().toDateString();
     return moment.toLocaleString([], { ...(today ? {} : { dateStyle: 'medium' }), timeStyle: 'short' });
 }
+
+export const roleWords: Record<Role, string> = {
+    viewer: 'can look',
+    editor: 'can edit',
+    host: 'can edit and invite',
+};

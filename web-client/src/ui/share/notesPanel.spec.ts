@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
-import './noteDialog.ts';
+import './notesPanel.ts';
 
 const position: Vec3 = [1, 2, 3];
 const where = { annotation: null, position, surface: null };

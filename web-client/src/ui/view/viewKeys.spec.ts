@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { turnByKey } from './cameraKeys.ts';
+import { turnByKey } from './viewKeys.ts';
 
 function did(key: string, shiftKey = false): [string, ...number[]][] {
     const heard: [string, ...number[]][] = [];
