@@ -4,11 +4,9 @@ from __future__ import annotations
 import collections
 import itertools
 import json
-import struct
 from typing import TYPE_CHECKING, Any, Deque, Optional, Union
 
 from .errors import Unauthenticated, Unreachable, WaitTimeout, WakesurfError, error_of
-from .frames import VERSION
 from .generated.methods import Methods
 from .generated.records import Joined
 from .notification import Notification, notification_of
@@ -131,17 +129,3 @@ class Connection:
         if "method" in answer:
             self._told.append(notification_of(answer["method"], answer.get("params") or {}))
         return answer
-
-
-def header_of(frame: bytes) -> Optional[Json]:
-    """Returns the header of a mesh frame, see Frame in protocol/wire/FORMAT.md; None for any other bytes."""
-    if len(frame) < 48 or frame[:2] != b"WS":
-        return None
-    if frame[2] != VERSION:
-        raise WakesurfError(f"the server sends mesh frames of version {frame[2]}, this client reads version {VERSION}",
-                            hint="use the client that came with the server")
-    number, epoch, seq, index, count, phase = struct.unpack_from("<3I2HB", frame, 4)
-    vertices, cells, when, state_sum = struct.unpack_from("<2IdI", frame, 24)
-    return {"subscription": number, "epoch": epoch, "seq": seq,
-            "phase": dict(enumerate(("coarse", "refined", "final", "live"))).get(phase, "live"), "vertices": vertices,
-            "cells": cells, "state_sum": state_sum, "time": when, "last": index + 1 == count}

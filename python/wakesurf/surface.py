@@ -8,8 +8,8 @@ import urllib.parse
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Iterator, List, Mapping, Optional, Tuple, Union
 
-from .connection import header_of
 from .errors import WaitTimeout, error_of
+from .frames import MeshDecoder, header_of
 from .generated.records import Statistics, SurfaceSetResult, SurfaceSubscribeResult
 from .generated.surfaces import SETTABLE, SurfaceChanger
 from .mesh import Array, Mesh
@@ -162,19 +162,18 @@ class Surface(SurfaceChanger, Record):
     def live(self, name: str = "python", timeout: Optional[float] = 60.0) -> Iterator[Mesh]:
         """Yields states as meshes: each as it reaches the clients, on the dataset's lattice, with speed, s, t and the
         surface's fields. `Mesh.about` has epoch, seq, phase, time and whether it is `lossless`. Needs the library
-        libwakesurf_draco, which wakesurf's build makes (see frames.py). Cost: some 10 us a vertex that moves. Error:
-        as `watch`; ImportError or OSError without those."""
-        from .frames import Draco, MeshDecoder
-        decoder = MeshDecoder(Draco())
+        libwakesurf_frames, which wakesurf's build makes (see frames.py). Cost: some 0.25 us a vertex. Error: as
+        `watch`; ImportError or OSError without those."""
+        decoder = MeshDecoder()
         for header, frames, agreed in self._updates(name, timeout):
             state = [decoder.fold(frame) for frame in frames][-1]
             assert state is not None
             names = agreed["attributes"]
-            if len(names) != len(state.codes):  # an edit has changed the fields
+            if len(names) != len(state.attributes):  # an edit has changed the fields
                 names = names[:3] + self.record()["fields"]
             connectivity, offsets = state.polygons()
-            arrays = {each: state.attribute(i) for i, each in enumerate(names[:len(state.codes)])}
-            about = {**{each: header[each] for each in ("epoch", "seq", "phase", "time")}, "lossless": state.header.lossless}
+            arrays = dict(zip(names, state.attributes))
+            about = {**{name: header[name] for name in ("epoch", "seq", "phase", "time")}, "lossless": state.lossless}
             yield Mesh(state.points(agreed["lattice"]), connectivity, offsets, arrays, about)
 
     def _updates(self, name: str, timeout: Optional[float]) -> Iterator[Tuple[Json, List[bytes], SurfaceSubscribeResult]]:

@@ -9,8 +9,8 @@ import numpy as np
 from real_server import BINARY, ServerTest
 import wakesurf
 
-os.environ.setdefault("WAKESURF_DRACO", os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(BINARY))),
-                                                     "lib/libwakesurf_draco.so"))
+os.environ.setdefault("WAKESURF_FRAMES_LIBRARY", os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(BINARY))),
+                                                             "lib/libwakesurf_frames.so"))
 
 LINE = [(0.2, 0, -1), (1, 0, -1)]
 

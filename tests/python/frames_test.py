@@ -1,4 +1,4 @@
-"""python/wakesurf/frames.py: the golden frames that the C++ and the TypeScript decoders read too, and damage."""
+"""python/wakesurf/frames.py: the golden frames that the page's decoder reads too, and damage, by libwakesurf_frames.so."""
 import json
 import os
 import random
@@ -9,11 +9,10 @@ import zlib
 import numpy as np
 
 from real_server import BINARY, ROOT
-from wakesurf import frames
 from wakesurf.frames import FrameError, MeshDecoder
 
 FIXTURES = os.path.join(ROOT, "protocol/wire/fixtures")
-LIBRARY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(BINARY))), "lib/libwakesurf_draco.so")
+LIBRARY = os.path.join(os.path.dirname(os.path.dirname(os.path.abspath(BINARY))), "lib/libwakesurf_frames.so")
 
 
 def golden_frames(name):
@@ -35,12 +34,11 @@ def sealed(frame):
 class FramesTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.draco = frames.Draco(LIBRARY)
         with open(os.path.join(FIXTURES, "golden.json"), encoding="utf-8") as file:
             cls.golden = json.load(file)
 
     def decoder(self):
-        return MeshDecoder(self.draco)
+        return MeshDecoder(LIBRARY)
 
     def states(self, name):
         decoder = self.decoder()
@@ -51,13 +49,13 @@ class FramesTest(unittest.TestCase):
         name = next(name for name in self.golden if golden_frames(name)[0][22] >= 3 and len(self.states(name)[0].nodes))
         key, *deltas = golden_frames(name)
         marked = sealed(key[:23] + bytes([0b001]) + key[24:])
-        state = self.decoder().fold(marked)
-        codes = state.codes[0]
-        lo, hi = state.ranges[0]
+        state, whole = self.decoder().fold(marked), self.states(name)[0]
+        lo, hi = whole.attributes[0].min(), whole.attributes[0].max()  # those of the range, as in every new KEY
+        codes = np.rint((whole.attributes[0] - lo) / (hi - lo) * 0xFFFF)
         expected = np.where(codes >= 0xF800, np.nan, lo + (hi - lo) * codes / 0xEFFF)
-        np.testing.assert_array_equal(state.attribute(0), expected)
+        np.testing.assert_allclose(state.attributes[0], expected, rtol=1e-12)
         self.assertGreater(np.isnan(expected).sum(), 0)
-        np.testing.assert_array_equal(state.attribute(1), self.states(name)[0].attribute(1))
+        np.testing.assert_array_equal(state.attributes[1], whole.attributes[1])
         if deltas:
             decoder = self.decoder()
             decoder.fold(marked)
@@ -70,9 +68,8 @@ class FramesTest(unittest.TestCase):
         for name, expected in self.golden.items():
             with self.subTest(name):
                 states = self.states(name)
-                self.assertEqual([state.header.seq for state in states], expected["seqs"])
-                self.assertEqual([state.sum() for state in states], expected["stateSums"])
-                self.assertEqual([frames.word_sum(state.change) for state in states], expected["changeSums"])
+                self.assertEqual([state.seq for state in states], expected["seqs"])
+                self.assertEqual([state.state_sum for state in states], expected["stateSums"])
                 last = states[-1]
                 self.assertEqual((len(last.nodes), len(last.cells)), (expected["vertices"], expected["cells"]))
                 if len(last.nodes):
@@ -82,7 +79,7 @@ class FramesTest(unittest.TestCase):
                         np.testing.assert_array_equal(
                             last.points(expected["lattice"])[index].astype(np.float32),
                             np.array(vertex["position"], np.float32))
-                        values = [last.attribute(i)[index] for i in range(len(last.codes))]
+                        values = [attribute[index] for attribute in last.attributes]
                         np.testing.assert_array_equal(np.array(values, np.float32), np.array(vertex["attributes"], np.float32))
                     self.assertEqual(last.cells[0].astype(np.uint32).tolist(), expected["firstCell"])
 
@@ -113,7 +110,7 @@ class FramesTest(unittest.TestCase):
             bad[chance.randrange(48, len(bad))] ^= chance.randrange(1, 256)
             try:
                 state = self.decoder().fold(sealed(bytes(bad)))
-                self.assertEqual(state.sum(), self.golden[name]["stateSums"][0])
+                self.assertEqual(state.state_sum, self.golden[name]["stateSums"][0])
             except FrameError:
                 refused += 1
         self.assertGreater(refused, 250)
@@ -132,12 +129,25 @@ class FramesTest(unittest.TestCase):
     def test_frames_of_another_version_say_what_to_do(self):
         frame = bytearray(golden_frames("sheet")[0])
         frame[2] = 3
-        with self.assertRaisesRegex(FrameError, "version 3.*version 5"):
+        with self.assertRaisesRegex(FrameError, "version 3, not 5.*client of the server's version"):
             self.decoder().fold(bytes(frame))
 
+    def test_the_library_writes_only_what_there_is_room_for(self):
+        decoder = self.decoder()
+        library, handle = decoder._library, decoder._decoder
+        room = np.full(8, -7, np.int32)
+        for call in (library.wakesurf_frames_nodes, library.wakesurf_frames_cells):
+            self.assertFalse(call(handle, room.ctypes.data, 0), "no state is there yet")
+        state = decoder.fold(golden_frames("sheet")[0])
+        for call in (library.wakesurf_frames_nodes, library.wakesurf_frames_cells):
+            self.assertFalse(call(handle, room.ctypes.data, room.size))
+        self.assertFalse(library.wakesurf_frames_attribute(handle, 0, room.ctypes.data, 4))
+        self.assertFalse(library.wakesurf_frames_attribute(handle, len(state.attributes), room.ctypes.data, 4))
+        self.assertEqual(set(room.tolist()), {-7})
+
     def test_without_its_library_it_says_which_one_is_missing(self):
-        with self.assertRaisesRegex(OSError, "libwakesurf_draco.so.*WAKESURF_DRACO"):
-            frames.Draco("/nowhere/libwakesurf_draco.so")
+        with self.assertRaisesRegex(OSError, "libwakesurf_frames.so.*WAKESURF_FRAMES_LIBRARY"):
+            MeshDecoder("/nowhere/libwakesurf_frames.so")
 
 
 if __name__ == "__main__":

@@ -42,7 +42,7 @@ class InstallTest(unittest.TestCase):
         self.assertEqual(sorted(os.listdir(self.prefix)), ["bin", "lib", "share"])
         self.assertEqual(sorted(os.listdir(os.path.join(self.prefix, "bin"))), ["wakesurf", "wakesurf-import"])
         libraries = [name for _, _, names in os.walk(os.path.join(self.prefix, "lib")) for name in names]
-        self.assertEqual(sorted(libraries), ["libwakesurf_draco.so",  # what the Python client decodes live frames with
+        self.assertEqual(sorted(libraries), ["libwakesurf_frames.so",  # what the Python client decodes live frames with
                                              "wakesurf.service"])
 
     @unittest.skipUnless(os.path.exists(os.path.join(os.path.dirname(BINARY), "wakesurf-bricks")), "WAKESURF_MPI is off")
