@@ -24,13 +24,13 @@ Failures are subclasses of `WakesurfError`; each has `code`, `kind`, `hint` and 
 Objects may be used by one thread at a time.
 """
 from . import notifications, records
-from .arrays import write_series
 from .client import Client
 from .connection import Connection
 from .errors import (BrowserMissing, Cancelled, DatasetError, InvalidParameters, InvalidPoints, InvalidRequest, Leased,
                      MethodNotFound, MissingParameter, NoSuchArray, NotFound, NotPermitted, OutsideDomain, OutsideTimeRange, OverLimit, PictureFailed,
                      ServerFailed,
                      ServerFault, ServerMissing, Stale, Unauthenticated, UnknownParameter, Unreachable, WaitTimeout, WakesurfError)
+from .files import write_series
 from .generated.version import VERSION as __version__
 from .mesh import Mesh
 from .progress import Progress

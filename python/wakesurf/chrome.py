@@ -1,9 +1,11 @@
-"""A Chromium without a window, driven over a pipe: no port is open that others on this machine could use."""
+"""A Chromium without a window, driven over a pipe: no port is open that others on this machine could use. Its profile is a folder of its
+own, gone afterwards, also where Python was killed."""
 from __future__ import annotations
 
 import atexit
 import base64
 import fcntl
+import glob
 import itertools
 import json
 import os
@@ -11,18 +13,20 @@ import select
 import shutil
 import signal
 import subprocess
+import tempfile
 import time as clock
 from typing import Any, Dict, List, Optional
 
 from .errors import BrowserMissing, PictureFailed, WaitTimeout
 from .plain import Json
-from .profile_folder import Profile
 
 _NAMES = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome", "chrome")
 _FLAGS = ("--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-background-networking", "--disable-component-update",
           "--disable-sync", "--disable-quic", "--force-color-profile=srgb", "--hide-scrollbars", "--use-angle=swiftshader",
           "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist", "about:blank")
-_SOME = 1 << 20
+_READ_BYTES = 1 << 20
+_PROFILE_PREFIX = "wakesurf-chromium-"
+_PATIENCE = 5.0  # s, for processes that were killed to be through with what they were writing
 
 
 def find_browser() -> str:
@@ -40,7 +44,7 @@ class Chrome:
     """One page in a browser of its own, with a profile that is removed at the end, or with Python."""
 
     def __init__(self, address: str, size: "tuple[int, int]") -> None:
-        self._profile = Profile()
+        self._profile = _Profile()
         (its_in, self._out), (self._in, its_out) = os.pipe(), os.pipe()
         at = [fcntl.fcntl(each, fcntl.F_DUPFD_CLOEXEC, 10) for each in (its_in, its_out)]
 
@@ -126,10 +130,10 @@ class Chrome:
         while b"\0" not in self._text:
             if not select.select([self._in], [], [], max(0.0, end - clock.monotonic()))[0]:
                 raise WaitTimeout("the browser does not answer")
-            some = os.read(self._in, _SOME)
-            if not some:
+            part = os.read(self._in, _READ_BYTES)
+            if not part:
                 raise PictureFailed("the browser has ended", hint="does `chromium --headless` start here?")
-            self._text += some
+            self._text += part
         message, self._text = self._text.split(b"\0", 1)
         found: Json = json.loads(message)
         return found
@@ -146,3 +150,51 @@ class Chrome:
     def screenshot(self) -> bytes:
         """Returns the page as PNG."""
         return base64.b64decode(self.ask("Page.captureScreenshot", {"format": "png"})["data"])
+
+
+class _Profile:
+    """The folder of a profile: locked while it is used. An unlocked one belonged to a Python that was killed: the next profile
+    removes it."""
+
+    def __init__(self) -> None:
+        for each in glob.glob(os.path.join(glob.escape(tempfile.gettempdir()), _PROFILE_PREFIX + "*")):
+            lock = _lock(each)
+            if lock is not None:
+                _remove(each, 0.0)
+                os.close(lock)
+        while True:  # somebody may take it for one that was left, before it is locked
+            self.path = tempfile.mkdtemp(prefix=_PROFILE_PREFIX)
+            lock = _lock(self.path)
+            if lock is not None:
+                self._lock = lock
+                return
+
+    def remove(self) -> None:
+        """Removes the folder once the browser does not write into it any more."""
+        _remove(self.path, _PATIENCE)
+        os.close(self._lock)
+
+
+def _lock(path: str) -> Optional[int]:
+    """Locks a folder of this user that still exists and is not locked."""
+    try:
+        lock = os.open(path, os.O_RDONLY | os.O_DIRECTORY | os.O_NOFOLLOW)
+    except OSError:
+        return None
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        if os.fstat(lock).st_uid == os.geteuid() and os.path.samestat(os.fstat(lock), os.lstat(path)):
+            return lock
+    except OSError:
+        pass
+    os.close(lock)
+    return None
+
+
+def _remove(path: str, patience: float) -> None:
+    end = clock.monotonic() + patience
+    while True:
+        shutil.rmtree(path, ignore_errors=True)
+        if not os.path.lexists(path) or clock.monotonic() >= end:
+            return
+        clock.sleep(0.01)

@@ -15,11 +15,12 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, Iterator, List, Mapping, 
 
 import numpy as np
 
-from .errors import InvalidParameters, ServerFault, Unreachable, error_of
+from .errors import InvalidParameters, ServerFault, Unreachable
 from .generated.methods import Methods
 from .generated.records import CacheStatus, Dataset, DatasetEntry, DatasetSuggestResult, ServerInfoResult
 from .mesh import Array
 from .names import Helpful, named
+from .own_words import error_of
 from .plain import Json, Points, given, plain, slices
 from .session import Session
 

@@ -1,15 +1,19 @@
-"""One WebSocket: calls, notifications in between, and mesh frames."""
+"""One WebSocket: calls, notifications in between, and mesh frames; and listening by it, in a loop or with asyncio."""
 from __future__ import annotations
 
+import asyncio
 import collections
 import itertools
 import json
-from typing import TYPE_CHECKING, Any, Deque, Optional, Union
+import threading
+from typing import TYPE_CHECKING, Any, AsyncIterator, Callable, Deque, Generator, Optional, Union
 
-from .errors import Unauthenticated, Unreachable, WaitTimeout, WakesurfError, error_of
+from .api_base import Notification
+from .errors import Unauthenticated, Unreachable, WaitTimeout, WakesurfError
 from .generated.methods import Methods
 from .generated.records import Joined
-from .notification import Notification, notification_of
+from .notifications import notification_of
+from .own_words import error_of
 from .plain import Json, given
 
 if TYPE_CHECKING:
@@ -39,7 +43,7 @@ class Connection:
             raise Unreachable(f"no WebSocket at {address}: {problem}") from None
         self._ids = itertools.count(1)
         self._frames: Deque[bytes] = collections.deque()
-        self._told: Deque[Notification] = collections.deque()
+        self._notifications: Deque[Notification] = collections.deque()
         self.api = Methods(self.call)
 
     def __enter__(self) -> Connection:
@@ -62,7 +66,7 @@ class Connection:
         return joined
 
     def call(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any:
-        """Calls any method by its name. Notifications and frames in between are kept for `told` and `frame`."""
+        """Calls any method by its name. Notifications and frames in between are queued for `notification` and `frame`."""
         wanted = next(self._ids)
         self._send({"jsonrpc": "2.0", "id": wanted, "method": method, "params": given(parameters)})
         while True:
@@ -73,37 +77,37 @@ class Connection:
                 return answer["result"]
 
     def start(self, method: str, /, **parameters: Any) -> int:
-        """Sends a call without waiting for its answer; its number is for `answer`."""
+        """Sends a call without waiting for its answer; its number is for `answer_or_notification`."""
         number = next(self._ids)
         self._send({"jsonrpc": "2.0", "id": number, "method": method, "params": given(parameters)})
         return number
 
-    def answer_or_told(self, number: int) -> Union[Json, Notification]:
+    def answer_or_notification(self, number: int) -> Union[Json, Notification]:
         """Returns the next notification, or the answer to a call that was started: an object with `result`. Error:
         the call's."""
-        while not self._told:
+        while not self._notifications:
             message = self._receive()
             if isinstance(message, dict) and message.get("id") == number and "method" not in message:
                 if "error" in message:
                     raise error_of(message["error"])
                 return message
-        return self._told.popleft()
+        return self._notifications.popleft()
 
     def notify(self, method: str, /, **parameters: Any) -> None:
         """Sends a call that has no answer."""
         self._send({"jsonrpc": "2.0", "method": method, "params": given(parameters)})
 
-    def told(self) -> Notification:
-        """Returns the next notification. Mesh frames on the way are kept."""
-        while not self._told:
+    def notification(self) -> Notification:
+        """Returns the next notification. Mesh frames on the way are queued."""
+        while not self._notifications:
             self._receive()
-        return self._told.popleft()
+        return self._notifications.popleft()
 
     def frame(self) -> bytes:
         """Returns the next mesh frame. Notifications on the way are dropped."""
         while not self._frames:
             self._receive()
-            self._told.clear()
+            self._notifications.clear()
         return self._frames.popleft()
 
     def _send(self, message: Json) -> None:
@@ -127,5 +131,46 @@ class Connection:
             return message
         answer: Json = json.loads(message)
         if "method" in answer:
-            self._told.append(notification_of(answer["method"], answer.get("params") or {}))
+            self._notifications.append(notification_of(answer["method"], answer.get("params") or {}))
         return answer
+
+
+def watch(connection: Connection) -> Generator[Notification, None, None]:
+    """Yields the notifications of a connection, and closes it at the end."""
+    with connection:
+        while True:
+            yield connection.notification()
+
+
+async def watch_async(connect: Callable[[], Connection]) -> AsyncIterator[Notification]:
+    """Listens in a thread, because the WebSocket package used here blocks; the thread ends with the loop."""
+    loop = asyncio.get_running_loop()
+    arrived: asyncio.Queue[Union[Notification, WakesurfError]] = asyncio.Queue()
+    connection = await loop.run_in_executor(None, connect)
+
+    def listen() -> None:
+        try:
+            while True:
+                loop.call_soon_threadsafe(arrived.put_nowait, connection.notification())
+        except WakesurfError as problem:
+            end(problem)
+        except RuntimeError:  # the loop has ended
+            pass
+
+    def end(problem: WakesurfError) -> None:
+        try:
+            loop.call_soon_threadsafe(arrived.put_nowait, problem)
+        except RuntimeError:
+            pass
+
+    listener = threading.Thread(target=listen, name="wakesurf-watch", daemon=True)
+    listener.start()
+    try:
+        while True:
+            each = await arrived.get()
+            if isinstance(each, WakesurfError):
+                raise each
+            yield each
+    finally:
+        connection.hang_up()
+        await loop.run_in_executor(None, listener.join, 5)

@@ -8,7 +8,6 @@ import sys
 import warnings
 from typing import Any, Optional, Sequence
 
-from .beginning import begin, last_time
 from .chrome import find_browser
 from .errors import PictureFailed, WakesurfError
 from .names import snake
@@ -16,6 +15,7 @@ from .name_mapping import in_options
 from .plain import Json
 from .progress import Progress
 from .serve import serve
+from .surface import begin, last_time
 
 
 def main(arguments: Optional[Sequence[str]] = None) -> int:
@@ -30,7 +30,7 @@ def main(arguments: Optional[Sequence[str]] = None) -> int:
     try:
         draw(json.loads(job), dataset, output, options)
     except WakesurfError as problem:
-        print("wakesurf: " + in_options(*(problem.told or (problem.message, problem.hint))), file=sys.stderr)
+        print("wakesurf: " + in_options(*(problem.original or (problem.message, problem.hint))), file=sys.stderr)
         return 1
     except OSError as problem:
         print(f"wakesurf: {problem}", file=sys.stderr)

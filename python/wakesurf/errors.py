@@ -1,25 +1,22 @@
 """The errors, as exceptions. Each has `code`, `kind`, `hint` and `data` as the server gave them."""
 from __future__ import annotations
 
-from typing import Any, Mapping, Optional, Tuple
-
-from .name_mapping import in_python
-from .plain import Json
+from typing import Any, Dict, Optional, Tuple
 
 __all__ = ["WakesurfError", "InvalidRequest", "InvalidParameters", "InvalidPoints", "UnknownParameter", "MissingParameter", "MethodNotFound",
            "Unauthenticated", "NotPermitted", "NotFound", "NoSuchArray", "Stale", "Leased", "Cancelled", "OutsideDomain", "OutsideTimeRange", "OverLimit",
            "DatasetError", "ServerFault", "Unreachable", "WaitTimeout", "ServerMissing", "ServerFailed", "BrowserMissing",
-           "PictureFailed", "error_of"]
+           "PictureFailed"]
 
 
 class WakesurfError(Exception):
     """The server refused the request, or could not be reached."""
 
-    def __init__(self, message: str, code: int = 0, kind: str = "", hint: str = "", data: Optional[Json] = None):
+    def __init__(self, message: str, code: int = 0, kind: str = "", hint: str = "", data: Optional[Dict[str, Any]] = None):
         super().__init__(message + (f" ({hint})" if hint else ""))
         self.message, self.code, self.kind, self.hint = message, code, kind, hint
-        self.data: Json = data or {}
-        self.told: Optional[Tuple[str, str]] = None  # message and hint as the server has them, with the names of its API
+        self.data: Dict[str, Any] = data or {}
+        self.original: Optional[Tuple[str, str]] = None  # message and hint as the server sent them, with the names of its API
 
 
 class InvalidRequest(WakesurfError):
@@ -58,7 +55,7 @@ class Stale(WakesurfError):
     """`if_rev` is not the record's revision; `current` is the record."""
 
     @property
-    def current(self) -> Json:
+    def current(self) -> Dict[str, Any]:
         return dict(self.data.get("current", {}))
 
 
@@ -130,14 +127,3 @@ class BrowserMissing(WakesurfError, FileNotFoundError):
 
 class PictureFailed(WakesurfError):
     """The page could not draw it; the message says why."""
-
-
-def error_of(fault: Mapping[str, Any]) -> WakesurfError:
-    """Returns the exception for the `error` of an answer."""
-    from .generated.error_codes import BY_CODE  # which needs the classes above
-    data = dict(fault.get("data") or {})
-    kind = BY_CODE.get(fault.get("code", 0), WakesurfError)
-    told = str(fault.get("message", "")), str(data.pop("hint", ""))
-    problem = kind(in_python(told[0]), fault.get("code", 0), data.pop("kind", ""), in_python(told[1]), data)
-    problem.told = told
-    return problem

@@ -38,7 +38,7 @@ def notebook_origins() -> List[str]:
 
 
 def in_notebook() -> bool:
-    """Says whether output goes to a notebook's page."""
+    """Whether output goes to a notebook's page."""
     shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
     in_marimo = getattr(sys.modules.get("marimo"), "running_in_notebook", lambda: False)()
     return in_marimo or (shell is not None and hasattr(shell, "kernel"))

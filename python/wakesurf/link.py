@@ -33,7 +33,7 @@ class Link:
         self.surface = Surface(self.session, surface) if surface else self.session.suggested(kind, dataset or None)
         rake = self.surface.record()["rake"]  # Error: NotFound
         self.rake = next(each for each in self.session.rakes() if each.id == rake)
-        self._asked: Dict[str, Any] = {}
+        self._sent: Dict[str, Any] = {}
         self._seen: Optional[Tuple[Any, ...]] = None
 
     def line(self) -> Line:
@@ -44,19 +44,19 @@ class Link:
 
     def move(self, line: Line) -> None:
         """Moves the rake of the session, for everyone. Error: InvalidParameters, OutsideDomain, ..."""
-        if self._asked.get("line") == line:
+        if self._sent.get("line") == line:
             return
         if line[0] == line[1]:
             raise InvalidParameters("both ends of the rake are at one place", -32602, "invalidParameters", "pull them apart")
         self.rake.set(line=line)
-        self._asked["line"] = line
+        self._sent["line"] = line
 
     def change(self, parameters: Mapping[str, Any]) -> None:
         """Changes parameters of `Surface.set`, for everyone. Error: as `Surface.set`."""
-        new = {name: value for name, value in parameters.items() if name not in self._asked or self._asked[name] != value}
+        new = {name: value for name, value in parameters.items() if name not in self._sent or self._sent[name] != value}
         if new:
             self.surface.set(**new)
-            self._asked.update(new)
+            self._sent.update(new)
 
     def steps(self) -> List[float]:
         """Returns the times to ask for: those of the data while there is a surface, its first and its last. None if
@@ -71,20 +71,20 @@ class Link:
     def mesh(self, time: Optional[float] = None) -> Mesh:
         """Returns the complete surface: at a time, or the nearest one at which there is one; left out, at its end.
         The session's clock is not changed. Error: that of computing the surface."""
-        record = self._look()
+        record = self._observe()
         if time is None or record["kind"] == "stream":
             return self.surface.mesh(time="end")
         first, last = _span(record)
         return self.surface.mesh(time=min(max(time, first), last))
 
     def changed(self) -> bool:
-        """Says whether any client, this link included, has changed the surface or its rake since `mesh` was called."""
+        """Whether any client, this link included, has changed the surface or its rake since `mesh` was called."""
         before = self._seen
-        self._look()
+        self._observe()
         after, self._seen = self._seen, before
         return before is not None and before != after
 
-    def _look(self) -> Json:
+    def _observe(self) -> Json:
         record = self.surface.record()
         self._seen = (record["rev"], record["rake"], self.rake.record()["rev"])
         return record

@@ -1,8 +1,9 @@
-"""A surface as numpy arrays, and the .vtp files that it comes in."""
+"""A surface as numpy arrays: from the .vtp files that it comes in, and to other packages."""
 from __future__ import annotations
 
 import base64
 import difflib
+import importlib
 import itertools
 import struct
 import xml.etree.ElementTree
@@ -17,6 +18,9 @@ from .errors import NoSuchArray
 from .plain import Json
 
 Array = NDArray[Any]
+
+_WHERE = {"vtkmodules": "Debian: python3-vtk9; pip: vtk", "pyvista": "pip: pyvista", "meshio": "Debian: python3-meshio; pip: meshio",
+          "pandas": "Debian: python3-pandas; pip: pandas"}
 
 
 @dataclass
@@ -115,23 +119,43 @@ class Mesh:
         fatness: Array = area / np.maximum(sides, np.finfo(float).tiny)
         return fatness
 
-    # For others, see convert.py.
+    # For other packages, each of which is imported only here.
 
     def to_vtk(self) -> Any:
         """Returns a vtkPolyData with all arrays. Needs VTK (Debian: python3-vtk9; pip: vtk), or ParaView's Python."""
-        from .convert import to_vtk
-        return to_vtk(self)
+        needed("vtkmodules")
+        core, data = needed("vtkmodules.vtkCommonCore"), needed("vtkmodules.vtkCommonDataModel")
+        arrays = needed("vtkmodules.util.numpy_support")
+
+        def array(values: Any) -> Any:
+            return arrays.numpy_to_vtk(np.ascontiguousarray(values), deep=True)
+
+        points = core.vtkPoints()
+        points.SetData(array(self.points))
+        cells = data.vtkCellArray()
+        cells.SetData(arrays.numpy_to_vtkIdTypeArray(np.ascontiguousarray(self.offsets, np.int64), deep=True),
+                      arrays.numpy_to_vtkIdTypeArray(np.ascontiguousarray(self.connectivity, np.int64), deep=True))
+        poly = data.vtkPolyData()
+        poly.SetPoints(points)
+        poly.SetPolys(cells)
+        for name, values in self.arrays.items():
+            column = array(values)
+            column.SetName(name)
+            poly.GetPointData().AddArray(column)
+        if "speed" in self.arrays:
+            poly.GetPointData().SetActiveScalars("speed")
+        return poly
 
     def to_pyvista(self) -> Any:
         """Returns a pyvista.PolyData with all arrays. Needs pyvista."""
-        from .convert import to_pyvista
-        return to_pyvista(self)
+        return needed("pyvista").wrap(self.to_vtk())
 
     def to_meshio(self) -> Any:
         """Returns a meshio.Mesh of quads and triangles with all arrays, for the formats that meshio writes. Needs
         meshio."""
-        from .convert import to_meshio
-        return to_meshio(self)
+        quads, triangles = self.quads_and_triangles()
+        cells = [(kind, part) for kind, part in (("quad", quads), ("triangle", triangles)) if len(part)]
+        return needed("meshio").Mesh(self.points, cells, point_data={name: np.array(values) for name, values in self.arrays.items()})
 
     def to_dataframe(self) -> Any:
         """Returns a pandas.DataFrame with a row a vertex: x, y, z, and a column for each array, three for a vector.
@@ -140,8 +164,13 @@ class Mesh:
         >>> list(mesh.to_dataframe().columns)[:5]
         ['x', 'y', 'z', 's', 't']
         """
-        from .convert import to_dataframe
-        return to_dataframe(self)
+        columns = dict(zip("xyz", self.points.T))
+        for name, values in self.arrays.items():
+            if values.ndim == 1:
+                columns[name] = values
+            else:
+                columns.update({f"{name}_{axis}": part for axis, part in zip("xyz", values.T)})
+        return needed("pandas").DataFrame(columns)
 
     @staticmethod
     def from_vtp(data: bytes) -> "Mesh":
@@ -167,6 +196,15 @@ class Mesh:
             arrays[name] = values.reshape(-1, width) if width > 1 else values
         offsets = np.concatenate([[0], arrays.pop("offsets")]).astype(np.int64)
         return Mesh(arrays.pop("Points"), arrays.pop("connectivity"), offsets, arrays, about)
+
+
+def needed(name: str) -> Any:
+    """Imports an optional package. Error: ImportError, which says where it comes from."""
+    try:
+        return importlib.import_module(name)
+    except ImportError as problem:
+        package = name.split(".")[0]
+        raise ImportError(f"this needs the package {package} ({_WHERE.get(package, package)}): {problem}") from None
 
 
 def _inline(text: str) -> bytes:

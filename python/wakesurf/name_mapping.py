@@ -8,7 +8,11 @@ from __future__ import annotations
 import functools
 import inspect
 import re
-from typing import Dict, Mapping, Set, Tuple
+from typing import Any, Dict, Mapping, Set, Tuple
+
+from .errors import WakesurfError
+from .generated.error_codes import BY_CODE
+from .generated.methods import Methods
 
 _NAME = re.compile(r"`([A-Za-z$/.]+)`")
 
@@ -26,7 +30,6 @@ def names() -> Tuple[Mapping[str, str], Mapping[str, str]]:
     >>> methods["session.list"], parameters["maxQuads"], parameters["from"]
     ('session.api.session.list()', 'max_quads', 'from_')
     """
-    from .generated.methods import Methods  # which needs the errors, which need this
     methods: Dict[str, str] = {}
     parameters: Dict[str, str] = {}
     for noun, group in vars(Methods(lambda *_, **__: None)).items():
@@ -47,6 +50,16 @@ def in_python(words: str) -> str:
     """
     methods, parameters = names()
     return _NAME.sub(lambda found: f"`{methods.get(found[1]) or parameters.get(found[1], found[1])}`", words)
+
+
+def error_of(fault: Mapping[str, Any]) -> WakesurfError:
+    """Returns the exception for the `error` of an answer, in the words of Python."""
+    data = dict(fault.get("data") or {})
+    kind = BY_CODE.get(fault.get("code", 0), WakesurfError)
+    message, hint = str(fault.get("message", "")), str(data.pop("hint", ""))
+    problem = kind(in_python(message), fault.get("code", 0), data.pop("kind", ""), in_python(hint), data)
+    problem.original = message, hint
+    return problem
 
 
 def named_methods(words: str) -> Set[str]:

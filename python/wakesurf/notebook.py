@@ -7,7 +7,9 @@ storage that browsers part by site, so the frame takes the name by which the not
 Behind jupyter-server-proxy the page has the notebook's own origin: `session.show(proxy=True)`, or $WAKESURF_PROXY=1. On JupyterHub, which
 sets $JUPYTERHUB_SERVICE_PREFIX, that is the default.
 
-Where anywidget is installed the page is one (widget.py), else a frame among the cell's outputs, else a picture.
+Where anywidget is installed the page is one, else a frame among the cell's outputs, else a picture. A widget needs no script among the
+outputs, and the address, which has the token, is asked for by a message: neither the notebook's file nor the state of its widgets that is
+saved with it has the token.
 
 Tested in Debian's notebook 6.4 and tried by hand in JupyterLab 4.0, as a frame. anywidget, VS Code, Colab, marimo and jupyter-server-proxy are
 served by their documented interfaces and untested.
@@ -15,7 +17,9 @@ served by their documented interfaces and untested.
 from __future__ import annotations
 
 import base64
+import functools
 import html
+import importlib
 import json
 import os
 import urllib.parse
@@ -25,7 +29,6 @@ from typing import TYPE_CHECKING, Any, Dict, Optional, Union
 from .errors import WakesurfError
 from .frame_origin import in_notebook, notebook_address, notebook_origins
 from .picture import Picture
-from .widget import page_widget
 
 if TYPE_CHECKING:
     from .session import Session
@@ -35,7 +38,7 @@ _LOCAL = ("127.0.0.1", "localhost", "::1")
 
 @dataclass(frozen=True)
 class Shown:
-    """Holds what a notebook shows: a frame, or a picture, or words."""
+    """What a notebook shows: a frame, or a picture, or words."""
 
     address: str  # of the page, with its token
     frame: bool
@@ -142,3 +145,83 @@ def _through_proxy(address: str) -> str:
     parts = urllib.parse.urlsplit(address)
     prefix = os.environ.get("JUPYTERHUB_SERVICE_PREFIX") or urllib.parse.urlsplit(notebook_address() or "/").path or "/"
     return f"{prefix.rstrip('/')}/proxy/{parts.port}/#{parts.fragment}"
+
+
+# See https://anywidget.dev/en/afm: `render` gets the model and an element, and returns what tidies up.
+ESM = """
+const HERE = ["localhost", "127.0.0.1"];
+
+/** The address as this browser reaches it. */
+async function reachable(address) {
+  const url = new URL(address, location.href);
+  const colab = globalThis.google?.colab?.kernel;
+  if (colab?.proxyPort !== undefined && HERE.includes(url.hostname)) {
+    const outside = new URL(await colab.proxyPort(Number(url.port), { cache: true }));
+    outside.hash = url.hash;
+    return outside.href;
+  }
+  // By the name by which the notebook was opened: another one would be another site, whose storage is another one.
+  if (HERE.includes(url.hostname) && HERE.includes(location.hostname)) url.hostname = location.hostname;
+  return url.href;
+}
+
+function render({ model, el }) {
+  const frame = document.createElement("iframe");
+  frame.title = "wakesurf";
+  frame.allow = "clipboard-write; fullscreen";
+  frame.style.border = "0";
+  const fit = () => {
+    frame.width = model.get("width");
+    frame.height = model.get("height");
+  };
+  const receive = async (message) => {
+    if (message?.address !== undefined && !frame.src) frame.src = await reachable(message.address);
+  };
+  fit();
+  model.on("change:width", fit);
+  model.on("change:height", fit);
+  model.on("msg:custom", receive);
+  el.append(frame);
+  model.send({ wants: "address" });
+  return () => {
+    model.off("change:width", fit);
+    model.off("change:height", fit);
+    model.off("msg:custom", receive);
+    frame.remove();
+  };
+}
+
+export default { render };
+"""
+
+
+@functools.lru_cache(maxsize=None)
+def _page_kind() -> Any:
+    anywidget, traitlets = importlib.import_module("anywidget"), importlib.import_module("traitlets")
+
+    class Page(anywidget.AnyWidget):  # type: ignore[misc, name-defined]
+        """Shows a page; its size can be changed, its address is hidden."""
+
+        _esm = ESM
+        width = traitlets.Unicode("100%").tag(sync=True)
+        height = traitlets.Int(600).tag(sync=True)
+
+        def __init__(self, address: str, **size: Any) -> None:
+            super().__init__(**size)
+            self._address = address
+            self.on_msg(self._answer)
+
+        def _answer(self, _: Any, content: Any, __: Any) -> None:
+            if content == {"wants": "address"}:
+                self.send({"address": self._address})
+
+    return Page
+
+
+def page_widget(address: str, width: str, height: int) -> Optional[Any]:
+    """Returns None if anywidget is not installed."""
+    try:
+        kind = _page_kind()
+    except ImportError:
+        return None
+    return kind(address, width=width, height=height)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, Mapping, Sequence, Union
 import numpy as np
 from numpy.typing import NDArray
 
+from .errors import InvalidParameters
 from .generated.limits import MESSAGE_BYTES, PROBE_POINTS
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ _PROBE_BYTES = MESSAGE_BYTES * 3 // 4  # of one call's points
 
 
 class HasId:
-    """Describes an object of the server that has an id; calls that want the id accept the object."""
+    """An object of the server that has an id; calls that want the id accept the object."""
 
     id: str
 
@@ -41,8 +42,7 @@ def plain(value: Any, where: str = "") -> Any:
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, float) and not math.isfinite(value):
-        from .errors import InvalidParameters
-        raise InvalidParameters(f"`{where}` is {value}, which is not a finite number", -32602, "invalidParameters",
+        raise InvalidParameters(f"`{where}` is {value}, which is no number to compute with", -32602, "invalidParameters",
                                 "give a finite number")
     if isinstance(value, Mapping):
         return {name: plain(each, f"{where}.{name}") for name, each in value.items()}

@@ -13,7 +13,7 @@ from typing import IO, List, Optional, Sequence, Union
 from .client import Client
 from .errors import ServerFailed, ServerMissing, WakesurfError
 from .frame_origin import notebook_origins
-from .progress import Report, Told
+from .progress import ProgressTarget, Report
 from .session import Session
 
 HOW = ("install the Debian package wakesurf, or compile it (./run in a clone); then put `wakesurf` into PATH, name it in $WAKESURF, or "
@@ -94,11 +94,11 @@ class Server:
             while b"\n" not in text:
                 if not selector.select(max(0.0, end - clock.monotonic())):
                     raise ServerFailed(f"the server has not started within {timeout:g} s: {self._last_words()}")
-                some = os.read(self.process.stdout.fileno(), 4096)
-                if not some:
+                part = os.read(self.process.stdout.fileno(), 4096)
+                if not part:
                     self.process.wait()
                     raise ServerFailed(f"the server has ended with status {self.process.returncode}: {self._last_words()}")
-                text += some
+                text += part
         return next(word for word in text.decode().split() if "://" in word)
 
     def _last_words(self) -> str:
@@ -107,7 +107,7 @@ class Server:
 
 def serve(*datasets: Path, binary: Optional[Path] = None, store: Optional[Path] = None, state: Optional[Path] = None,
           memory: Optional[str] = None, threads: Optional[int] = None, frame_origins: Optional[Sequence[str]] = None,
-          options: Sequence[str] = (), wait: bool = True, progress: Optional[Told] = None, timeout: float = 60.0) -> Server:
+          options: Sequence[str] = (), wait: bool = True, progress: Optional[ProgressTarget] = None, timeout: float = 60.0) -> Server:
     """Starts a server for these datasets: files or folders of simulation results, stores, or built-in flows as "flow:tornado"; none:
     the bundled simulation.
 

@@ -1,35 +1,39 @@
-"""A session: rakes and surfaces that several people and scripts edit together."""
+"""A session: rakes and surfaces that several people and scripts edit together; and parameter studies, each in a session of its own."""
 from __future__ import annotations
 
+import functools
 import html
+import itertools
 import json
 import os
 import urllib.parse
-from typing import TYPE_CHECKING, Any, AsyncIterator, Generator, Iterator, List, Literal, Mapping, Optional, Sequence, Tuple, Union
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, AsyncIterator, Dict, Generator, Iterator, List, Literal, Mapping, Optional, Sequence, Tuple, Union
 
-from .api_call import LEFT_OUT, LeftOut
-from .errors import InvalidParameters, NotFound, error_of
+from .api_base import LEFT_OUT, LeftOut, Notification
+from .connection import Connection, watch, watch_async
+from .errors import InvalidParameters, NotFound, UnknownParameter
 from .generated.methods import Methods
-from .generated.records import (ClockAnswer, HistoryRedoResult, HistoryUndoResult, SessionStateResult)
+from .generated.records import ClockAnswer, HistoryRedoResult, HistoryUndoResult, SessionStateResult, Statistics
 from .generated.surfaces import SurfaceMaker
+from .mesh import Mesh
 from .names import Helpful, named
-from .notification import Notification
+from .own_words import error_of
 from .plain import HasId, Json, Points
+from .progress import ProgressTarget, Report
 from .record import Rake, one_of
 from .surface import Surface
 
 if TYPE_CHECKING:
     from .client import Client
-    from .connection import Connection
     from .notebook import Shown
     from .picture import Painter, Picture
-    from .progress import Told
-    from .study import Case
     from .view import Look
 
 Role = Literal["viewer", "editor", "host"]
 Kind = Literal["stream", "path", "streak", "time"]
 Background = Literal["shown", "white", "clear"]
+_OF_RAKE = ("line", "polyline", "circle", "points", "seeds")
 
 
 class Session(SurfaceMaker[Surface], HasId, Helpful):
@@ -45,7 +49,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
 
     def __init__(self, client: Client, id: str, about: Optional[Mapping[str, Any]] = None) -> None:
         self.client, self.id = client, id
-        self.about: Json = dict(about or {})  # what the call told that gave this object: see session.list
+        self.about: Json = dict(about or {})  # what the call answered that gave this object: see session.list
         self.api = Methods(client.call, id)
 
     def __repr__(self) -> str:
@@ -190,11 +194,10 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         """Stops the clock."""
         return self.api.time.pause()
 
-    # Listening, see watch.py.
+    # Listening.
 
     def connect(self, name: str = "python", timeout: Optional[float] = 60.0) -> Connection:
         """Returns a WebSocket that has joined the session as `name`, for the methods that need one: `connection.api`."""
-        from .connection import Connection
         connection = Connection(self.client, timeout)
         connection.join(self.id, name)
         return connection
@@ -204,22 +207,20 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         `wakesurf.notifications`. Joins the session as `name` at once; close the generator to end it. Error:
         WaitTimeout after `timeout` seconds without any; Unreachable.
 
-        >>> told = session.watch(timeout=30)
+        >>> notifications = session.watch(timeout=30)
         >>> rake = session.rake(line=[(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)])
-        >>> news = next(each for each in told if isinstance(each, wakesurf.notifications.SessionPatched))
-        >>> news.patches[0]["type"], news.patches[0]["id"] == rake.id
+        >>> patched = next(each for each in notifications if isinstance(each, wakesurf.notifications.SessionPatched))
+        >>> patched.patches[0]["type"], patched.patches[0]["id"] == rake.id
         ('rake', True)
-        >>> told.close()
+        >>> notifications.close()
         """
-        from .watch import watch
-        return watch(self, name, timeout)
+        return watch(self.connect(name, timeout))
 
     def watch_async(self, name: str = "python") -> AsyncIterator[Notification]:
-        """Yields the same with asyncio: `async for news in session.watch_async(): ...`. Joins when the loop begins."""
-        from .watch import watch_async
-        return watch_async(self, name)
+        """Yields the same with asyncio: `async for notification in session.watch_async(): ...`. Joins when the loop begins."""
+        return watch_async(functools.partial(self.connect, name, None))
 
-    # Pictures, see picture.py and notebook.py.
+    # Pictures, see picture.py and notebook.py, which are imported only here.
 
     @named
     def picture(self, path: Union[str, os.PathLike[str], None] = None, size: Tuple[int, int] = (1600, 1000), *,
@@ -238,12 +239,12 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
     @named
     def film(self, path: Union[str, os.PathLike[str]], times: Sequence[float], size: Tuple[int, int] = (1280, 720), *,
              fps: float = 25, view: Optional[Look] = None, background: Background = "shown", bar: bool = True,
-             axes: bool = True, rakes: bool = False, caption: Optional[str] = "t = {time:g}", progress: Optional[Told] = None,
+             axes: bool = True, rakes: bool = False, caption: Optional[str] = "t = {time:g}", progress: Optional[ProgressTarget] = None,
              timeout: float = 120.0) -> List[str]:
         """Draws a picture for each of `times`: a folder of PNG files, or an .mp4 or .webm if `path` says so and
         ffmpeg is installed. `caption` may use {time} and {frame}. It is drawn from a copy of the session, so that the
         clock of the session stays. Returns the files."""
-        from .film import film
+        from .picture import film
         return film(self, path, times, size, fps=fps, view=view, background=background, bar=bar, axes=axes, rakes=rakes,
                     caption=caption, progress=progress, timeout=timeout)
 
@@ -265,9 +266,9 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
                        for name in ("rakes", "surfaces", "bookmarks", "annotations"))
         return f"<table><caption>session {html.escape(self.id)}: session.show() has its page</caption>{rows}</table>"
 
-    # Studies, see study.py.
+    # Studies.
 
-    def study(self, rake: Mapping[str, Any], vary: Mapping[str, Sequence[Any]], *, progress: Optional[Told] = None,
+    def study(self, rake: Mapping[str, Any], vary: Mapping[str, Sequence[Any]], *, progress: Optional[ProgressTarget] = None,
               timeout: Optional[float] = None, **surface: Any) -> Iterator[Case]:
         """Makes a surface for each combination of what `vary` lists, one after the other, in a session of its own
         that is deleted at the end. `rake`: as `Session.rake` takes it; `surface`: what all of them share, as
@@ -279,5 +280,46 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         {'separation': 0.1} True
         {'separation': 0.05} True
         """
-        from .study import study
-        return study(self.client, rake, vary, surface, progress, timeout)
+        return _study(self, rake, vary, surface, progress, timeout)
+
+
+@dataclass(frozen=True)
+class Case:
+    """One case of a study: its parameters, its result, and the surface itself until the loop's next case."""
+
+    parameters: Dict[str, Any]
+    statistics: Statistics
+    surface: Surface
+
+    def mesh(self) -> Mesh:
+        """Returns the mesh, as `Surface.mesh`."""
+        return self.surface.mesh()
+
+    def row(self) -> Dict[str, Any]:
+        """Returns parameters and numbers of the statistics, for a table. `separation` is that of the mesh,
+        `requestedSeparation` what was asked for."""
+        numbers = {name: value for name, value in self.statistics.items() if isinstance(value, (int, float, str))}
+        return {**self.parameters, **numbers, "seconds": self.statistics["seconds"]["total"]}
+
+
+def _study(session: Session, rake: Mapping[str, Any], vary: Mapping[str, Sequence[Any]], surface: Mapping[str, Any],
+          progress: Optional[ProgressTarget], timeout: Optional[float]) -> Iterator[Case]:
+    """Makes a study; see `Session.study`. Parameters of the rake can be varied as well: seeds, line, ..."""
+    if not vary or not all(len(values) for values in vary.values()):
+        raise InvalidParameters("nothing is varied", -32602, "invalidParameters", "give vary={\"separation\": [0.1, 0.05]}")
+    twice = [name for name in vary if name in surface]
+    if twice:
+        raise UnknownParameter(f"`{twice[0]}` is varied and given", -32602, "invalidParameters", "give it once")
+    for name in set(surface) & set(_OF_RAKE):
+        raise UnknownParameter(f"`{name}` belongs to the rake", -32602, "invalidParameters", f"put it into rake={{\"{name}\": ...}}")
+    report = Report.to(progress)
+    cases = [dict(zip(vary, values)) for values in itertools.product(*vary.values())]
+    with session.client.scratch("study") as scratch:
+        for i, case in enumerate(cases):
+            report.share(i / len(cases), ", ".join(f"{name}={value}" for name, value in case.items()))
+            of_rake = {name: value for name, value in case.items() if name in _OF_RAKE}
+            of_surface: Dict[str, Any] = {name: value for name, value in case.items() if name not in _OF_RAKE}
+            with scratch.rake(**{**rake, **of_rake}) as where:
+                made = scratch.surface(where, **{**surface, **of_surface})
+                yield Case(case, made.wait(timeout), made)
+        report.done("complete")

@@ -1,4 +1,4 @@
-"""A surface of a session: changing it, waiting for it, fetching its mesh, following it live."""
+"""A surface of a session: beginning and changing it, waiting for it, fetching its mesh, following it live."""
 from __future__ import annotations
 
 import json
@@ -6,21 +6,26 @@ import os
 import time as clock
 import urllib.parse
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Iterator, List, Mapping, Optional, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union, cast
 
-from .errors import WaitTimeout, error_of
+from .api_base import Notification
+from .connection import Connection
+from .errors import InvalidParameters, WaitTimeout, WakesurfError
 from .frames import MeshDecoder, header_of
+from .generated.notifications import WorkProgress
 from .generated.records import Statistics, SurfaceSetResult, SurfaceSubscribeResult
 from .generated.surfaces import SETTABLE, SurfaceChanger
+from .files import write_whole
 from .mesh import Array, Mesh
+from .own_words import error_of
 from .plain import Json, plain
-from .progress import Report, Told, Waiting
+from .progress import ProgressTarget, Report
 from .record import Record
-from .whole_file import write_whole
 
 if TYPE_CHECKING:
     from .session import Session
 
+_LONGEST_WAIT_MS = 60_000
 _FORMATS = (".vtp", ".glb", ".ply", ".obj", ".drc")
 
 
@@ -36,31 +41,31 @@ class Surface(SurfaceChanger, Record):
 
     def __init__(self, session: Session, id: str) -> None:
         super().__init__(session, id)
-        self._kept: Optional[Tuple[str, Mesh]] = None
+        self._fetched: Optional[Tuple[str, Mesh]] = None
 
     def _changed(self, changes: Json, if_rev: Optional[int]) -> SurfaceSetResult:
         changes = {name: value for name, value in changes.items() if value is not None}
-        kept = set(SETTABLE)
+        resent = set(SETTABLE)
         if changes.keys() & {"from", "to"} and self.record()["direction"] != "both":
-            kept.discard("direction")
-        result: SurfaceSetResult = self._change(tuple(kept), changes, if_rev)
+            resent.discard("direction")
+        result: SurfaceSetResult = self._change(tuple(resent), changes, if_rev)
         return result
 
     def stats(self) -> Statistics:
         """Returns the statistics of the newest state; `complete` says whether it is the final one."""
         return self.session.api.surface.stats(surface=self.id)
 
-    def wait(self, timeout: Optional[float] = None, progress: Optional[Told] = None) -> Statistics:
+    def wait(self, timeout: Optional[float] = None, progress: Optional[ProgressTarget] = None) -> Statistics:
         """Returns the statistics, once the surface is complete. `progress`: a function that receives `Progress`, or a
         bar of tqdm, see progress.py. Error: WaitTimeout after `timeout` seconds; that of computing it.
 
         >>> shares = []
-        >>> surface.wait(progress=lambda told: shares.append(told.share))["complete"], shares[-1]
+        >>> surface.wait(progress=lambda progress: shares.append(progress.share))["complete"], shares[-1]
         (True, 1.0)
         """
         end = None if timeout is None else clock.monotonic() + timeout
         report = Report.to(progress)
-        with Waiting(self.session, report) as waiting:
+        with _Waiting(self.session, report) as waiting:
             while True:
                 left = waiting.slice_ms if end is None else max(0, min(waiting.slice_ms, int(1000 * (end - clock.monotonic()))))
                 stats = waiting.ask(self.id, left)
@@ -121,11 +126,11 @@ class Surface(SurfaceChanger, Record):
     def mesh(self, timeout: float = 600.0, *, time: Union[float, str, None] = None, tessellate: int = 1) -> Mesh:
         """Returns the whole mesh as numpy arrays, once it is computed: as the session shows it, at the time of its
         clock, or at `time`, or at its "end". `tessellate` as in `download`. Not fetched again while it is the same."""
-        tag, body = self._fetch("vtp", self._kept[0] if self._kept else None, timeout, time, tessellate=tessellate)
+        tag, body = self._fetch("vtp", self._fetched[0] if self._fetched else None, timeout, time, tessellate=tessellate)
         if body:
-            self._kept = (tag, Mesh.from_vtp(body))
-        assert self._kept is not None
-        return self._kept[1]
+            self._fetched = (tag, Mesh.from_vtp(body))
+        assert self._fetched is not None
+        return self._fetched[1]
 
     def lines(self, which: str, count: int = 16, timeout: float = 600.0, *, every: Optional[float] = None,
               width: Optional[float] = None, time: Union[float, str, None] = None) -> List[Tuple[float, Array]]:
@@ -220,7 +225,7 @@ class Surface(SurfaceChanger, Record):
 
 @dataclass(frozen=True)
 class Update:
-    """Holds a state of a surface that has arrived, in `bytes` bytes. `phase` is coarse, refined, final or live;
+    """A state of a surface that has arrived, in `bytes` bytes. `phase` is coarse, refined, final or live;
     `state_sum` is the checksum of what clients show; `time` is the simulation time shown, NaN if the server does not
     report it."""
 
@@ -237,3 +242,77 @@ class Update:
     def mesh(self) -> Mesh:
         """Returns the surface's newest final mesh, which may be a later one than this update's."""
         return self.surface.mesh()
+
+
+class _Waiting:
+    """Asks for a surface until it is complete. If progress is wanted, over a WebSocket, which reports shares; if that
+    fails, over HTTP once a second."""
+
+    def __init__(self, session: Session, report: Report) -> None:
+        self._session, self._report = session, report
+        self._connection: Optional[Connection] = None
+        self.slice_ms = 1000 if report.wanted else _LONGEST_WAIT_MS
+
+    def __enter__(self) -> _Waiting:
+        if self._report.wanted:
+            try:
+                self._connection = Connection(self._session.client, None)
+            except ImportError:
+                pass
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._connection is not None:
+            self._connection.close()
+
+    def ask(self, surface: str, wait_ms: int) -> Statistics:
+        """Returns the answer of `surface.wait`."""
+        if self._connection is None:
+            stats: Statistics = self._session.call("surface.wait", wait_ms / 1000 + self._session.client.timeout, surface=surface,
+                                                   timeoutMs=wait_ms)
+            return stats
+        number = self._connection.start("surface.wait", session=self._session.id, surface=surface, timeoutMs=wait_ms,
+                                        workDoneToken="wait")
+        while True:
+            answer = self._connection.answer_or_notification(number)
+            if not isinstance(answer, Notification):
+                return cast(Statistics, answer["result"])
+            if isinstance(answer, WorkProgress) and answer.value.get("kind") == "report":
+                share = answer.value.get("percentage")
+                self._report.share(None if share is None else share / 100, str(answer.value.get("message", "")))
+
+
+def begin(session: Session, dataset: str, setting: Json) -> Surface:
+    """Makes a surface of which only the kind must be given: the server suggests the other parameters for the data. `setting`: parameters
+    of surface.set by their names in Python, but `from`. Error: as Session.surface."""
+    found: Mapping[str, Any] = session.client.suggest(dataset) if not {"rake", "to", "separation"} <= setting.keys() else {"surfaces": []}
+    usual: Dict[str, Any] = dict(next((each for each in found["surfaces"] if each["kind"] == setting["kind"]), {}))
+    if setting.keys() & {"from", "to", "direction"}:
+        usual = {name: value for name, value in usual.items() if name not in ("from", "to")}
+    if setting.keys() & {"sweep", "rake2"}:
+        usual.pop("sweep", None)
+    merged: Json = {**usual, **setting, "dataset": dataset}
+    if "to" not in merged:
+        merged["to"] = last_time(session, merged)
+    merged.pop("rake", None)
+    rake = setting["rake"] if "rake" in setting else session.api.rake.set(**found["rake"])["rake"]
+    try:
+        return session.surface(rake, **{"from_" if name == "from" else name: value for name, value in merged.items()})
+    except WakesurfError:
+        if "rake" not in setting:
+            session.api.rake.delete(rake=rake)  # nobody asked for it alone
+        raise
+
+
+def last_time(session: Session, setting: Json) -> float:
+    """Returns the last time of the data, or the first for a surface that goes backward. A flow of one time stands still:
+    as long after it, or before it, as a suggested surface of that kind takes."""
+    times = session.client.describe(setting["dataset"])["times"]
+    if not times:
+        raise InvalidParameters("a surface of this dataset needs `to`", -32602, "invalidParameters", "the time at which it ends")
+    backward = setting.get("direction") == "backward"
+    if len(times) == 1 and setting["kind"] != "level":
+        found: Any = session.client.suggest(setting["dataset"])["surfaces"]
+        length = next((each["to"] - each["from"] for each in found if each["kind"] == setting["kind"]), 1.0)
+        return float(setting.get("from", times[0]) + (-length if backward else length))
+    return float(times[0] if backward else times[-1])

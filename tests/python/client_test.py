@@ -311,12 +311,12 @@ class ClientTest(ServerTest):
 
     def test_waiting_ends_in_time_and_tells_how_far_it_is(self):
         surface = self.long_surface()
-        told = []
+        reported = []
         with self.assertRaises(wakesurf.WaitTimeout) as raised:  # of a surface that takes minutes
-            surface.wait(1.5, progress=told.append)
-        self.assertGreaterEqual(len(told), 1)
-        self.assertTrue(all(each.share is None or 0 <= each.share < 1 for each in told))
-        self.assertFalse([each.state for each in told if each.state][0]["complete"])
+            surface.wait(1.5, progress=reported.append)
+        self.assertGreaterEqual(len(reported), 1)
+        self.assertTrue(all(each.share is None or 0 <= each.share < 1 for each in reported))
+        self.assertFalse([each.state for each in reported if each.state][0]["complete"])
         self.assertIsInstance(raised.exception, TimeoutError)
         surface.delete()
 

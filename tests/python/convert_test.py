@@ -79,7 +79,7 @@ class ConvertTest(unittest.TestCase):
         self.assertEqual((data.n_points, data.n_cells), (len(self.mesh.points), len(self.mesh.polygons)))
 
     def test_what_is_missing_is_named_with_where_it_comes_from(self):
-        from wakesurf.convert import needed
+        from wakesurf.mesh import needed
         with self.assertRaisesRegex(ImportError, r"the package nothing_of_the_kind"):
             needed("nothing_of_the_kind.at_all")
         if not there("pyvista"):

@@ -16,7 +16,7 @@ class Agent:
                           "WAKESURF_STORE": os.path.join(folder, "store"), **dict(environment)})
         self.process = subprocess.Popen([*(command or (sys.executable, "-m", "wakesurf.mcp")), *arguments, "--folder", folder],
                                         stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=folder, env=variables)
-        self.told, self._last = [], 0
+        self.notifications, self._last = [], 0
 
     def __enter__(self):
         return self
@@ -43,7 +43,7 @@ class Agent:
         self.write(json.dumps({"jsonrpc": "2.0", "method": method, "params": parameters}))
 
     def read(self):
-        """The next message that is no notification; those are kept in `told`."""
+        """The next message that is no notification; those are collected in `notifications`."""
         while True:
             line = self.process.stdout.readline()
             if not line:
@@ -51,7 +51,7 @@ class Agent:
             message = json.loads(line)
             if isinstance(message, list) or "method" not in message:
                 return message
-            self.told.append(message)
+            self.notifications.append(message)
 
     def ask(self, method, **parameters):
         """The whole answer to a request."""

@@ -261,7 +261,7 @@ class ToolsTest(McpCase):
         agent.numbers("surface", surface=short["surface"], to=1, separation=0.2)
         agent.start("tools/call", name="wait", arguments={}, _meta={"progressToken": 7})
         self.assertTrue(agent.read()["result"]["structuredContent"]["complete"])
-        last = [each["params"] for each in agent.told if each["params"]["progressToken"] == 7][-1]
+        last = [each["params"] for each in agent.notifications if each["params"]["progressToken"] == 7][-1]
         self.assertEqual((last["progress"], last["total"]), (100, 100))
 
     def test_draws_a_picture_and_a_film(self):

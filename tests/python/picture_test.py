@@ -100,16 +100,16 @@ class PictureTest(unittest.TestCase):
         self.assertGreater((cells ^ points).sum(), 0, "the same picture")
 
     def test_a_film_has_a_picture_for_each_time_while_the_clock_of_the_session_stands(self):
-        before, told = self.everything(), []
+        before, reported = self.everything(), []
         folder = os.path.join(self.folder.name, "film")
-        files = self.session.film(folder, [1, 2.5, 4], (320, 200), bar=False, axes=False, progress=told.append)
+        files = self.session.film(folder, [1, 2.5, 4], (320, 200), bar=False, axes=False, progress=reported.append)
         self.assertEqual([os.path.basename(each) for each in files], ["frame_0000.png", "frame_0001.png", "frame_0002.png"])
         sizes = []
         for file in files:
             with open(file, "rb") as opened:
                 sizes.append(coloured(pixels(opened.read())))
         self.assertTrue(0 < sizes[0] < sizes[1] < sizes[2], f"a streak surface grows: {sizes}")
-        self.assertEqual(told[-1].share, 1.0)
+        self.assertEqual(reported[-1].share, 1.0)
         self.assertEqual(self.everything(), before)
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "ffmpeg is not installed")

@@ -68,9 +68,9 @@ class ReplacedDataTest(unittest.TestCase):
         surface.wait(timeout=60)
         return np.unique(np.round(surface.mesh()["speed"], 3)).tolist()
 
-    def until_told(self, news):
+    def until_notice(self, listening):
         begun = time.monotonic()
-        for each in news:
+        for each in listening:
             if isinstance(each, notifications.ServerNotice) and each.kind == "dataReplaced":
                 return each.text
             if time.monotonic() - begun > 20:
@@ -91,10 +91,10 @@ class ReplacedDataTest(unittest.TestCase):
         before = surfaces["stream"].download("ply")
         session.api.session.thumbnail(image=png(), session=session.id)
         values = self.client.datasets()[0].get("values")
-        news = session.watch("listener", timeout=20)
+        listening = session.watch("listener", timeout=20)
         begun = time.monotonic()
         change()
-        self.assertIn("have been replaced", self.until_told(news))
+        self.assertIn("have been replaced", self.until_notice(listening))
         self.assertLess(time.monotonic() - begun, 60)
         self.client.api.dataset.open(dataset=self.dataset)
         self.assertNotEqual(self.client.datasets()[0].get("values"), values)
@@ -150,7 +150,7 @@ class ReplacedDataTest(unittest.TestCase):
         write_series(self.data, 2.0)
         self.serve(source, *state)
         session = self.client.session(session.id)
-        self.assertIn("since this session was last used", self.until_told(session.watch("listener", timeout=30)))
+        self.assertIn("since this session was last used", self.until_notice(session.watch("listener", timeout=30)))
         listed = {each["session"]: each for each in self.client.api.session.list()["sessions"]}
         self.assertFalse(listed[session.id]["thumbnail"])
         for surface in session.surfaces():
@@ -167,9 +167,9 @@ class ReplacedDataTest(unittest.TestCase):
         self.assertEqual(self.surface_speeds(path), [1.0])
         for time_step in range(steps):
             self.assertAlmostEqual(self.speed(time_step), 1.0)
-        news = session.watch("listener", timeout=20)
+        listening = session.watch("listener", timeout=20)
         write_series(self.data, 2.0, steps=steps, **large)
-        self.assertIn("have been replaced", self.until_told(news))
+        self.assertIn("have been replaced", self.until_notice(listening))
         self.client.api.dataset.open(dataset=self.dataset)
         for time_step in (*range(steps), 0):
             self.assertAlmostEqual(self.speed(time_step), 2.0, msg=time_step)
@@ -190,9 +190,9 @@ class ReplacedDataTest(unittest.TestCase):
             headers={"Authorization": f"Bearer {self.client._token}"})
         with urllib.request.urlopen(request, timeout=60) as reply:
             begun = reply.read(1000)
-            news = session.watch("listener", timeout=20)
+            listening = session.watch("listener", timeout=20)
             write_series(self.data, 2.0)
-            self.assertIn("have been replaced", self.until_told(news))
+            self.assertIn("have been replaced", self.until_notice(listening))
             self.assertEqual(begun + reply.read(), old)
         surface.wait(timeout=60)
         new = surface.download("ply")
@@ -203,15 +203,15 @@ class ReplacedDataTest(unittest.TestCase):
         self.serve(write_series(self.data, 1.0))
         session, _ = self.session()
         values = self.client.datasets()[0].get("values")
-        news = session.watch("listener", timeout=20)
+        listening = session.watch("listener", timeout=20)
         write_series(self.data, 1.0)
-        told = []
-        for each in news:
-            told.append(each)
+        arrived = []
+        for each in listening:
+            arrived.append(each)
             if isinstance(each, notifications.DatasetPatched) and each.state == "ready":
                 break
-        self.assertEqual(told[-1].values, values)
-        self.assertFalse([each for each in told if isinstance(each, notifications.ServerNotice)])
+        self.assertEqual(arrived[-1].values, values)
+        self.assertFalse([each for each in arrived if isinstance(each, notifications.ServerNotice)])
         self.assertEqual(self.client.datasets()[0].get("values"), values)
 
     def test_a_surface_that_was_being_computed_of_both_starts_again(self):
@@ -219,9 +219,9 @@ class ReplacedDataTest(unittest.TestCase):
         session = self.client.create_session("long")
         rake = session.rake(line=[(0.01, 0.01, 0.5), (0.011, 1.09, 0.5)], seeds=256)
         surface = session.surface(rake, "stream", dataset=self.dataset, to=1, separation=0.0006, max_quads=4_000_000)
-        news = session.watch("listener", timeout=20)
+        listening = session.watch("listener", timeout=20)
         write_series(self.data, 0.5, steps=3, nodes=64)
-        self.until_told(news)
+        self.until_notice(listening)
         surface.wait(timeout=120)
         self.assertEqual(np.unique(np.round(surface.mesh()["speed"], 3)).tolist(), [0.5])
 

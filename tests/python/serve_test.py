@@ -21,16 +21,16 @@ class ServeTest(unittest.TestCase):
         os.environ.pop("WAKESURF", None)
 
     def test_runs_for_as_long_as_the_block_and_imports_what_it_was_given(self):
-        told = []
+        reported = []
         with tempfile.TemporaryDirectory() as folder:
-            with wakesurf.serve(os.path.join(ROOT, "data/sqcyl/sqcyl.pvd"), store=folder, progress=told.append) as session:
+            with wakesurf.serve(os.path.join(ROOT, "data/sqcyl/sqcyl.pvd"), store=folder, progress=reported.append) as session:
                 server = session.client.server
                 self.assertEqual(session.dataset, "sqcyl")
                 self.assertEqual(session.client.datasets()[0]["state"], "ready")
                 self.assertEqual(len(session.client.describe("sqcyl")["times"]), 16)
             self.assertFalse(server.running)
             self.assertEqual(server.process.returncode, 0)
-        self.assertEqual(told[-1].share, 1.0)
+        self.assertEqual(reported[-1].share, 1.0)
         with self.assertRaises(wakesurf.Unreachable):
             session.state()
 

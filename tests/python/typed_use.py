@@ -17,7 +17,7 @@ def study(session: wakesurf.Session) -> List[int]:
     assert_type(rake, wakesurf.Rake)
     surface = session.surface(rake, "streak", dataset=session.dataset, to=2, max_quads=9000, fields=["vorticity"])
     assert_type(surface, wakesurf.Surface)
-    assert_type(surface.wait(progress=lambda told: print(told.share)), Statistics)
+    assert_type(surface.wait(progress=lambda progress: print(progress.share)), Statistics)
     assert_type(session.api.rake.list()["rakes"], List[RakeRecord])
     assert_type(session.client.api.dataset.describe(dataset="tornado"), Dataset)
     session.api.time.set(time=None)
@@ -27,10 +27,10 @@ def study(session: wakesurf.Session) -> List[int]:
 
 
 async def listen(session: wakesurf.Session) -> None:
-    async for news in session.watch_async():
-        assert_type(news, Notification)
-        if isinstance(news, SessionPatched):
-            print(news.patches[0]["op"], news.seq)
+    async for notification in session.watch_async():
+        assert_type(notification, Notification)
+        if isinstance(notification, SessionPatched):
+            print(notification.patches[0]["op"], notification.seq)
 
 
 with wakesurf.serve("flow:tornado") as mine:

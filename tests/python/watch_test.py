@@ -15,27 +15,27 @@ class WatchTest(ServerTest):
         self.session = self.client.create_session("watched")
 
     def test_gives_records_and_people_as_objects_from_the_moment_it_is_called(self):
-        news = self.session.watch("listener", timeout=20)
+        received = self.session.watch("listener", timeout=20)
         rake = self.session.rake(line=LINE, seeds=8)
-        first = next(each for each in news if isinstance(each, notifications.SessionPatched))
+        first = next(each for each in received if isinstance(each, notifications.SessionPatched))
         self.assertEqual((first.session, first.patches[0]["op"], first.patches[0]["id"]), (self.session.id, "put", rake.id))
         self.assertIn("listener", [each["name"] for each in self.session.state()["participants"]])
         with self.session.connect("Ada") as connection:
-            arrived = next(each for each in news if isinstance(each, notifications.PresencePatched))
+            arrived = next(each for each in received if isinstance(each, notifications.PresencePatched))
             self.assertIn("Ada", [each.get("name") for each in arrived.participants])
             connection.api.presence.update(pointer=(0.5, 0.5, 0.5), session=self.session.id)
-            pointed = next(each for each in news if isinstance(each, notifications.PresencePatched))
+            pointed = next(each for each in received if isinstance(each, notifications.PresencePatched))
             self.assertEqual(pointed.participants[0]["pointer"], [0.5, 0.5, 0.5])
-        news.close()
+        received.close()
 
     def test_fails_with_words_when_nothing_comes_or_the_server_goes(self):
         with self.assertRaises(wakesurf.WaitTimeout):
             next(self.session.watch(timeout=0.3))
         server = RealServer("flow:tornado")
-        news = wakesurf.Client(server.url).session().watch(timeout=20)
+        received = wakesurf.Client(server.url).session().watch(timeout=20)
         server.stop()
         with self.assertRaises(wakesurf.Unreachable):
-            for _ in news:
+            for _ in received:
                 pass
 
     def test_with_asyncio_other_work_goes_on_and_leaving_the_loop_ends_it(self):
@@ -49,16 +49,16 @@ class WatchTest(ServerTest):
                     await asyncio.sleep(0.005)
 
             work = asyncio.create_task(other())
-            news = self.session.watch_async("listener")
-            first = asyncio.create_task(news.__anext__())
+            received = self.session.watch_async("listener")
+            first = asyncio.create_task(received.__anext__())
             while not [each for each in self.session.state()["participants"] if each["name"] == "listener"]:
                 await asyncio.sleep(0.01)
             rake = self.session.rake(line=LINE, seeds=8)
-            told = await first
-            while not isinstance(told, notifications.SessionPatched):
-                told = await news.__anext__()
-            self.assertEqual(told.patches[0]["id"], rake.id)
-            await asyncio.wait_for(news.aclose(), 15)  # before the server's next ping could end the wait
+            reported = await first
+            while not isinstance(reported, notifications.SessionPatched):
+                reported = await received.__anext__()
+            self.assertEqual(reported.patches[0]["id"], rake.id)
+            await asyncio.wait_for(received.aclose(), 15)  # before the server's next ping could end the wait
             work.cancel()
             return ticks
 
@@ -66,9 +66,9 @@ class WatchTest(ServerTest):
         self.assertNotIn("wakesurf-watch", [each.name for each in threading.enumerate()])
 
     def test_what_a_newer_server_tells_is_given_as_it_is(self):
-        from wakesurf.notification import notification_of
-        told = notification_of("weather.changed", {"rain": True})
-        self.assertEqual((told.name, told.params), ("weather.changed", {"rain": True}))
+        from wakesurf.notifications import notification_of
+        reported = notification_of("weather.changed", {"rain": True})
+        self.assertEqual((reported.name, reported.params), ("weather.changed", {"rain": True}))
         known = notification_of("session.patched", {"session": "s", "seq": 1, "patches": [], "more": 2})
         self.assertEqual(known, notifications.SessionPatched("s", 1, []))
 
@@ -90,9 +90,9 @@ class StudyTest(unittest.TestCase):
 
     def test_has_a_case_for_each_combination_and_leaves_nothing_behind(self):
         self.session.suggested("stream")
-        before, told, rows = self.everything(), [], []
+        before, reported, rows = self.everything(), [], []
         study = self.session.study({"line": LINE}, {"seeds": [8, 16], "separation": [0.1, 0.05, 0.025]}, kind="path", dataset="tornado",
-                                   to=1, progress=told.append)
+                                   to=1, progress=reported.append)
         for case in study:
             self.assertEqual(len(case.mesh().points), case.statistics["vertices"])
             rows.append(case.row())
@@ -103,7 +103,7 @@ class StudyTest(unittest.TestCase):
         row = coarse.row()
         self.assertEqual((row["separation"], row["requestedSeparation"], row["max_quads"]), (coarse.statistics["separation"], 0.02, 500))
         self.assertGreater(row["separation"], 0.02)
-        self.assertEqual(told[-1].share, 1.0)
+        self.assertEqual(reported[-1].share, 1.0)
         self.assertEqual(self.everything(), before)
         self.assertFalse(self.session.undo()["skipped"])
 

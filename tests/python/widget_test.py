@@ -13,7 +13,7 @@ import traitlets
 
 from real_server import RealServer
 import wakesurf
-from wakesurf import widget
+from wakesurf.notebook import ESM, _page_kind
 from wakesurf.chrome import Chrome
 
 # What a notebook is to the module: an element, and a model whose messages the test carries.
@@ -54,8 +54,8 @@ class AnyWidget(traitlets.HasTraits):
 
 class WidgetTest(unittest.TestCase):
     def shown(self, origin="http://localhost:8888", **modules):
-        widget._page_kind.cache_clear()
-        self.addCleanup(widget._page_kind.cache_clear)
+        _page_kind.cache_clear()
+        self.addCleanup(_page_kind.cache_clear)
         server = RealServer("flow:tornado", "--frame-origin", "http://localhost:8888")
         self.addCleanup(server.stop)
         shell = types.SimpleNamespace(get_ipython=lambda: types.SimpleNamespace(kernel=1))
@@ -85,7 +85,7 @@ class WidgetTest(unittest.TestCase):
         self.assertEqual((shown.widget, "image/png" in shown._repr_mimebundle_()), (None, True))
 
     def test_its_module_asks_for_the_address_and_brings_up_the_page_that_joins_the_session(self):
-        page = (NOTEBOOK % json.dumps(widget.ESM).replace("</", "<\\/")).encode()
+        page = (NOTEBOOK % json.dumps(ESM).replace("</", "<\\/")).encode()
 
         class Handler(http.server.BaseHTTPRequestHandler):
             def do_GET(self):
@@ -131,7 +131,7 @@ class WidgetTest(unittest.TestCase):
           made.render({ model, el: document.body });
           await tell({ address: "http://127.0.0.1:8123/#session=main&token=t" });
           return document.querySelector("iframe").src;
-        })()""" % json.dumps(widget.ESM)
+        })()""" % json.dumps(ESM)
         self.assertEqual(chrome.value(code), "https://proxy.example/8123/#session=main&token=t")
 
     def until(self, is_so):

@@ -169,7 +169,7 @@ class Python:
         lines += ["", *wrapped("__all__ = [", ['"BY_METHOD"', *[f'"{title}"' for _, title in names]], "]")]
         known = self.imports(lines, depth=".records.")
         return module("What the server tells those who listen, as `Session.watch` gives it. Members that are missing are None.", lines, known,
-                      ["from dataclasses import dataclass"], ["from ..notification import Notification"], ("Type",))
+                      ["from dataclasses import dataclass"], ["from ..api_base import Notification"], ("Type",))
 
     # Numbers.
 

@@ -28,7 +28,7 @@ class PythonMethods:
 
     def all_groups(self):
         lines = [*docstring(["Every method of the server, by noun.", HEAD], ""), "from __future__ import annotations", "",
-                 "from typing import Optional", "", "from ...api_call import ApiCall"]
+                 "from typing import Optional", "", "from ...api_base import ApiCall"]
         lines += [f"from .{name} import {self.title(name)}" for name in sorted(self.groups)]
         lines += ["", "", "class Methods:", '    """Every method of the server: `api.rake.set(...)` is `rake.set`. With a session, those that need one take it."""',
                   "", "    def __init__(self, call: ApiCall, session: Optional[str] = None) -> None:"]
@@ -51,7 +51,7 @@ class PythonMethods:
         typing = [each for each in TYPING if each in words]
         records = sorted(name for name in self.types.records if name in words)
         lines = wrapped("from typing import (", sorted(typing), ")") + [""] if typing else []
-        lines.append(f"from {dots}api_call import {', '.join([*of_call, *(each for each in ('LEFT_OUT', 'LeftOut') if each in words)])}")
+        lines.append(f"from {dots}api_base import {', '.join([*of_call, *(each for each in ('LEFT_OUT', 'LeftOut') if each in words)])}")
         lines.append(f"from {dots}names import named")
         own = [each for each in ("Json", "NULL", "Point", "Points") if each in words]
         lines += [f"from {dots}plain import {', '.join(own)}"] if own else []

@@ -1,7 +1,7 @@
 """python -m wakesurf.mcp"""
 import sys
 
-from wakesurf.mcp.program import main
+from wakesurf.mcp import main
 
 if __name__ == "__main__":
     sys.exit(main())

@@ -3,13 +3,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, List, Mapping, cast
 
-from ..beginning import begin
 from ..errors import InvalidParameters
 from ..generated.methods.rake import RakeMethods
 from ..generated.methods.surface import SurfaceMethods
 from ..plain import Json
 from ..record import Rake
-from ..surface import Surface
+from ..surface import Surface, begin
 from .tool import POINT, Answer, Call, names_of, properties_of, tool
 from .work import Work, short
 
@@ -19,7 +18,7 @@ if TYPE_CHECKING:
 _OWN = ("session", "default", "gesture", "if_rev")  # what the tools decide
 _KINDS = ["stream", "path", "streak", "time", "level"]
 _DATASET: Json = {"type": "string", "description": "id of a dataset; left out, the only one"}
-_FIELDS_TOLD = 24
+_MOST_FIELDS = 24
 
 
 def _open(work: Work, given: Json, call: Call) -> Answer:
@@ -31,7 +30,7 @@ def _open(work: Work, given: Json, call: Call) -> Answer:
         entry = work.ready(work.dataset(given.get("dataset")), given.get("seconds", 60), call)
         datasets = [entry if each["dataset"] == entry["dataset"] else each for each in datasets]
     numbers: Json = {"session": state["session"], "datasets": [_entry(each) for each in datasets],
-                     "rakes": names_of(state["rakes"], "rake"), "surfaces": [_told(dict(each)) for each in state["surfaces"]],
+                     "rakes": names_of(state["rakes"], "rake"), "surfaces": [_summary(dict(each)) for each in state["surfaces"]],
                      "participants": [each["name"] for each in state["participants"]]}
     text = (f"Session {state['session']}: {len(numbers['rakes'])} rakes, {len(numbers['surfaces'])} surfaces. Datasets: "
             + (", ".join(f"{each['dataset']} ({each['state']})" for each in datasets) or "none") + ".")
@@ -56,16 +55,16 @@ def _entry(entry: Mapping[str, Any]) -> Json:
 
 
 def _described(about: Mapping[str, Any]) -> Json:
-    kept = ("dataset", "grid", "bounds", "points", "cells", "dimensions", "spacing", "steady", "velocity", "obstacle", "finestSpacing",
-            "surfaceFields", "lengthUnit", "timeUnit", "note")
-    numbers = {name: about[name] for name in kept if name in about}
+    members = ("dataset", "grid", "bounds", "points", "cells", "dimensions", "spacing", "steady", "velocity", "obstacle", "finestSpacing",
+               "surfaceFields", "lengthUnit", "timeUnit", "note")
+    numbers = {name: about[name] for name in members if name in about}
     numbers["times"] = {"count": len(about["times"]), "first": about["times"][:1], "last": about["times"][-1:]}
     numbers["fields"] = [{name: each[name] for name in ("name", "components", "range", "unit") if name in each}
-                         for each in about["fields"][:_FIELDS_TOLD]]
+                         for each in about["fields"][:_MOST_FIELDS]]
     return cast(Json, short(numbers))
 
 
-def _told(record: Json) -> Json:
+def _summary(record: Json) -> Json:
     return cast(Json, short({name: record[name] for name in ("surface", "rake", "dataset", "kind", "from", "to", "separation")
                              if name in record}))
 
@@ -127,7 +126,7 @@ def _surface(work: Work, given: Json, call: Call) -> Answer:
     work.made(surface.id)
     record = surface.record()
     return Answer(f"Surface {surface.id}: {record['kind']} of {record['dataset']} on rake {record['rake']}, from {record['from']:.6g} to "
-                  f"{record['to']:.6g}, separation {record['separation']:.4g}. It is being computed: wait for it.", _told(record))
+                  f"{record['to']:.6g}, separation {record['separation']:.4g}. It is being computed: wait for it.", _summary(record))
 
 
 def _new(work: Work, session: Session, setting: Json) -> Surface:

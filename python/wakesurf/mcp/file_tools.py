@@ -56,10 +56,10 @@ def _film(work: Work, given: Json, call: Call) -> Answer:
     times = [first + (last - first) * i / max(1, count - 1) for i in range(count)]
     path = work.place.take(given["path"], ("", ".mp4", ".webm"), given.get("overwrite", False))
 
-    def told(progress: Progress) -> None:
+    def report(progress: Progress) -> None:
         call.progress(progress.share, progress.message)
 
-    made = work.session.film(path, times, size, fps=given.get("fps", 25.0), view=_view(given), progress=told)
+    made = work.session.film(path, times, size, fps=given.get("fps", 25.0), view=_view(given), progress=report)
     if os.path.isdir(path):
         for each in filter(_FRAME.fullmatch, os.listdir(path)):
             if os.path.join(path, each) not in made:

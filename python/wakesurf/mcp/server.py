@@ -34,7 +34,7 @@ INSTRUCTIONS = (
     "drifting patch), wait for it, and read numbers before you ask for a picture. People may be in the same session: they see every edit, and "
     "undo takes back only what was done by the same link. explain says why a surface ends where it does.")
 
-_LOOK_AGAIN = 0.2  # s, whether anyone reads the answers
+_POLL_SECONDS = 0.2  # whether anyone reads the answers
 
 Job = Tuple[Id, Tool, Json, Call, Reply]
 
@@ -60,7 +60,7 @@ class Server:
                 self._take(line)
             self._jobs.put(None)
             while self._worker.is_alive() and not self._out.gone():
-                self._worker.join(_LOOK_AGAIN)
+                self._worker.join(_POLL_SECONDS)
         finally:
             with self._lock:
                 for call in self._calls.values():
@@ -99,7 +99,7 @@ class Server:
             request = checked(message)
             given: Json = request.get("params", {})
             if "id" not in request:
-                return self._told(request["method"], given)
+                return self._notified(request["method"], given)
             if request["method"] == "tools/call":
                 return self._call(number, given, reply)
             reply(result(number, self._answer(request["method"], given)))
@@ -121,7 +121,7 @@ class Server:
             return {"tools": [each.described() for each in TOOLS.values()]}
         raise Refused(METHOD_NOT_FOUND, f"there is no method `{method[:80]}`: there are initialize, ping, tools/list and tools/call")
 
-    def _told(self, method: str, given: Json) -> None:
+    def _notified(self, method: str, given: Json) -> None:
         if method != "notifications/cancelled":
             return
         with self._lock:
@@ -172,8 +172,8 @@ def _made(tool: Tool, work: Work, arguments: Json, call: Call) -> Optional[Json]
         return None
     except WakesurfError as problem:
         message, hint = problem.message, problem.hint
-        if problem.told:  # by the server, which knows no tools
-            message, hint = in_tools(problem.told[0]), hint_in_tools(problem.told[1])
+        if problem.original:  # by the server, which knows no tools
+            message, hint = in_tools(problem.original[0]), hint_in_tools(problem.original[1])
         about = {"kind": problem.kind or type(problem).__name__, "message": message, "hint": hint}
         return {"content": [_text(message + (f" ({hint})" if hint else ""))], "structuredContent": {"error": about}, "isError": True}
     except (ImportError, OSError, ValueError) as problem:

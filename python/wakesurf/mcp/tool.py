@@ -30,11 +30,11 @@ class Stopped(WakesurfError):
 
 
 class Call:
-    """Holds one call, from the view of the tool: whether it was cancelled, and who receives its progress."""
+    """One call, from the view of the tool: whether it was cancelled, and who receives its progress."""
 
-    def __init__(self, tell: Optional[Callable[[float, str], None]] = None) -> None:
+    def __init__(self, report: Optional[Callable[[float, str], None]] = None) -> None:
         self.cancelled = threading.Event()
-        self._tell, self._percent = tell, -1.0
+        self._report, self._percent = report, -1.0
 
     def check(self) -> None:
         """Raises Stopped if the call was cancelled."""
@@ -45,14 +45,14 @@ class Call:
         """Reports progress, which must grow, as the protocol wants it. Error: Stopped."""
         self.check()
         percent = -1.0 if share is None else round(100 * share, 1)
-        if self._tell is not None and percent > self._percent:
+        if self._report is not None and percent > self._percent:
             self._percent = percent
-            self._tell(percent, words)
+            self._report(percent, words)
 
 
 @dataclass
 class Answer:
-    """Holds a sentence for people and models, the numbers behind it, and a picture."""
+    """A sentence for people and models, the numbers behind it, and a picture."""
 
     text: str
     numbers: Json
@@ -64,7 +64,7 @@ Function = Callable[["Work", Json, Call], Answer]
 
 @dataclass(frozen=True)
 class Tool:
-    """Holds a function with a name, words, and a schema of its arguments."""
+    """A function with a name, words, and a schema of its arguments."""
 
     name: str
     title: str

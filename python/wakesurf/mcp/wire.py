@@ -75,7 +75,7 @@ class Out:
                 self._gone = True
 
     def gone(self) -> bool:
-        """Says whether the reader has gone, as far as the system reports it: the other end of a pipe or a socket is
+        """Whether the reader has gone, as far as the system reports it: the other end of a pipe or a socket is
         closed."""
         if not self._gone and hasattr(select, "poll"):
             poll = select.poll()
@@ -89,7 +89,7 @@ class Out:
 
 
 class Batch:
-    """Holds several requests of one message, as clients of 2025-03-26 may send them: their answers go out together."""
+    """Several requests of one message, as clients of 2025-03-26 may send them: their answers go out together."""
 
     def __init__(self, count: int, out: Out) -> None:
         self._missing, self._out, self._lock = count, out, threading.Lock()

@@ -1,4 +1,4 @@
-"""A flow of one's own from numpy arrays: files that the server serves like those of a solver.
+"""Files, written whole or not at all; and a flow of one's own from numpy arrays, as files that the server reads like those of a solver.
 
     wakesurf.write_series("mine.pvd", times, velocity, origin=(0, 0, 0), spacing=(0.1, 0.1, 0.1))
     with wakesurf.serve("mine.pvd") as session: ...
@@ -7,18 +7,39 @@ from __future__ import annotations
 
 import base64
 import os
+import secrets
 import struct
 import zlib
-from typing import Any, Callable, List, Mapping, Optional, Sequence, Union
+from typing import Any, Callable, Iterable, List, Mapping, Optional, Sequence, Union
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 
 from .mesh import Array
-from .whole_file import write_whole
 
 _BLOCK = 1 << 20
 Values = Union[Sequence[Any], Array, Callable[[int], Any]]
+
+
+def write_whole(path: str, parts: Iterable[bytes]) -> None:
+    """Writes a new file beside the old one and renames it: a reader, or a server that watches, sees no half of it.
+    Error: OSError, which names `path`; nothing is left behind then."""
+    part = f"{path}.{secrets.token_hex(6)}.part"
+    try:
+        with open(part, "xb") as file:
+            file.writelines(parts)
+        os.replace(part, path)
+    except OSError as problem:
+        _remove(part)
+        raise type(problem)(problem.errno, problem.strerror, path) from None
+    except BaseException:
+        _remove(part)
+        raise
+
+
+def _remove(part: str) -> None:
+    if os.path.exists(part):
+        os.remove(part)
 
 
 def write_series(path: Union[str, os.PathLike[str]], times: Sequence[float], velocity: Values, *,

@@ -1,15 +1,16 @@
-"""The calls of the methods in generated/methods."""
+"""What the generated modules build on: the calls of methods, and notifications."""
 from __future__ import annotations
 
 import enum
-from typing import Any, Optional, Protocol
+from dataclasses import dataclass
+from typing import Any, ClassVar, Optional, Protocol
 
 from .names import Helpful
 from .plain import Json
 
 
 class LeftOut(enum.Enum):
-    """Marks a parameter that is left out, where None is a value."""
+    """The default of a parameter for which None is a value."""
 
     LEFT_OUT = "left out"
 
@@ -18,13 +19,13 @@ LEFT_OUT = LeftOut.LEFT_OUT
 
 
 class ApiCall(Protocol):
-    """Describes Client.call and Connection.call: a parameter that is None is left out, one that is NULL is null."""
+    """The type of Client.call and Connection.call: a parameter that is None is left out, one that is NULL is null."""
 
     def __call__(self, method: str, _timeout: Optional[float] = None, /, **parameters: Any) -> Any: ...
 
 
 class Noun(Helpful):
-    """Holds the methods of one noun, in a session or in none."""
+    """The methods of one noun, in a session or in none."""
 
     def __init__(self, call: ApiCall, session: Optional[str]) -> None:
         self.__call, self.__session = call, session
@@ -34,3 +35,18 @@ class Noun(Helpful):
         if "session" in parameters and "session" not in given and self.__session is not None:
             given["session"] = self.__session
         return self.__call(method, None, **given)
+
+
+@dataclass(frozen=True)
+class Notification:
+    """A notification of the server. `method` is its name, as session.patched."""
+
+    method: ClassVar[str] = ""
+
+
+@dataclass(frozen=True)
+class UnknownNotification(Notification):
+    """A notification that this client does not know, from a newer server."""
+
+    name: str
+    params: Json
