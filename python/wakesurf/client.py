@@ -20,7 +20,7 @@ from .generated.methods import Methods
 from .generated.records import CacheStatus, Dataset, DatasetEntry, DatasetSuggestResult, ServerInfoResult
 from .mesh import Array
 from .names import Helpful, named
-from .own_words import error_of
+from .name_mapping import error_of
 from .plain import Json, Points, given, plain, slices
 from .session import Session
 

@@ -13,7 +13,7 @@ from .errors import Unauthenticated, Unreachable, WaitTimeout, WakesurfError
 from .generated.methods import Methods
 from .generated.records import Joined
 from .notifications import notification_of
-from .own_words import error_of
+from .name_mapping import error_of
 from .plain import Json, given
 
 if TYPE_CHECKING:

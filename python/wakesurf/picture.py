@@ -229,7 +229,7 @@ def _check_times(session: Session, surfaces: Sequence[Mapping[str, Any]], times:
     OutsideTimeRange."""
     found = np.asarray(times)
     if found.ndim != 1 or found.size == 0 or found.dtype.kind not in "iuf" or not np.isfinite(found).all():
-        raise wrong(f"the time is {times[0]!r}" if len(times) == 1 else f"`times` is {times!r}", "numbers of the dataset's time, one at least")
+        raise wrong(f"the time is {times[0]!r}" if len(times) == 1 else f"`times` is {times!r}", "one or more times of the dataset")
     datasets = [session.client.describe(each)["times"] for each in sorted({each["dataset"] for each in surfaces})]
     if datasets and all(datasets):  # where one has no times, any will do
         ends = [each for some in datasets for each in some] + [each[end] for each in surfaces for end in ("from", "to")]

@@ -42,7 +42,7 @@ def plain(value: Any, where: str = "") -> Any:
     if isinstance(value, np.generic):
         value = value.item()
     if isinstance(value, float) and not math.isfinite(value):
-        raise InvalidParameters(f"`{where}` is {value}, which is no number to compute with", -32602, "invalidParameters",
+        raise InvalidParameters(f"`{where}` is {value}, which is not a finite number", -32602, "invalidParameters",
                                 "give a finite number")
     if isinstance(value, Mapping):
         return {name: plain(each, f"{where}.{name}") for name, each in value.items()}

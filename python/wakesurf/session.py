@@ -18,7 +18,7 @@ from .generated.records import ClockAnswer, HistoryRedoResult, HistoryUndoResult
 from .generated.surfaces import SurfaceMaker
 from .mesh import Mesh
 from .names import Helpful, named
-from .own_words import error_of
+from .name_mapping import error_of
 from .plain import HasId, Json, Points
 from .progress import ProgressTarget, Report
 from .record import Rake, one_of

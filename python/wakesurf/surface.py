@@ -17,7 +17,7 @@ from .generated.records import Statistics, SurfaceSetResult, SurfaceSubscribeRes
 from .generated.surfaces import SETTABLE, SurfaceChanger
 from .files import write_whole
 from .mesh import Array, Mesh
-from .own_words import error_of
+from .name_mapping import error_of
 from .plain import Json, plain
 from .progress import ProgressTarget, Report
 from .record import Record

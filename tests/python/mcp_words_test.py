@@ -1,4 +1,4 @@
-"""The table by which hints name tools for methods (mcp/own_words) beside what the tools send when they work."""
+"""The table by which hints name tools for methods (mcp/name_mapping) beside what the tools send when they work."""
 import tempfile
 import unittest
 from collections import defaultdict
@@ -7,11 +7,11 @@ from unittest import mock
 from real_server import RealServer
 from wakesurf.client import Client
 from wakesurf.connection import Connection
-from wakesurf.mcp.own_words import TOOL_OF, hint_in_tools
+from wakesurf.mcp.name_mapping import TOOL_OF, hint_in_tools
 from wakesurf.mcp.server import TOOLS
 from wakesurf.mcp.tool import Call
 from wakesurf.mcp.work import Place, Work
-from wakesurf.own_words import names
+from wakesurf.name_mapping import names
 
 LINE = [[0.4, 0.4, 0.1], [0.6, 0.6, 0.1]]
 # Each tool at its work, but picture and film: what these send is the page's.

@@ -117,7 +117,7 @@ class Place:
         """Returns the path to write to; folders on the way are made. From now on it may be written again, also if
         this time fails. An extension of "" allows a folder. Error: NotPermitted, InvalidParameters."""
         if not path.strip() or not path.isprintable():  # nothing that acts on a terminal, or cannot be seen
-            raise _wrong(f"{path!r} is no name of a file", "give a path below the folder, of characters that can be seen")
+            raise _wrong(f"{path!r} is not a file name", "give a path below the folder, of visible characters")
         if any(len(os.fsencode(part)) > _LONGEST_NAME for part in path.split("/")) or len(os.fsencode(path)) > _LONGEST_PATH:
             raise _wrong("`path` is too long", f"names have at most {_LONGEST_NAME} bytes, a path {_LONGEST_PATH}")
         ending = os.path.splitext(path)[1].lower()
