@@ -16,7 +16,7 @@
 
 namespace wakesurf::tests {
 
-/// Makes columns x rows cells of side 1, like first_row.cpp for a time surface. Closed: the last column is
+/// Makes columns x rows cells of side 1, like origin.cpp for a time surface. Closed: the last column is
 /// the first, on a round tube of that many columns.
 inline core::MovingMesh flat_patch(int columns, int rows, bool closed = false) {
     core::MovingMesh mesh;

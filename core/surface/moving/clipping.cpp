@@ -4,8 +4,196 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace wakesurf::core {
+
+namespace {
+
+constexpr double close_enough = 2e-7; ///< of an edge
+constexpr int halvings = 24;
+constexpr int halvings_of_guess = 8;
+constexpr int search_rounds = 24;
+
+/// Particles that are carried together from one time to another.
+struct Batch {
+    std::vector<Vec3> position, along_s, along_t;
+    std::vector<float> expansion;
+    std::vector<double> time;
+    std::vector<CurveEnd> end;
+
+    void add(const Carried& carried, double at) {
+        position.push_back(carried.position);
+        along_s.push_back(carried.along_s);
+        along_t.push_back(carried.along_t);
+        expansion.push_back(static_cast<float>(carried.expansion));
+        time.push_back(at);
+        end.push_back(CurveEnd::Running);
+    }
+
+    Carried operator[](std::size_t i) const {
+        return {position[i], along_s[i], along_t[i], double(expansion[i])};
+    }
+
+    Result<TraceCost> advance(const Flow& flow,
+                              double to,
+                              const AdvanceOptions& options,
+                              const std::stop_token& stop) {
+        return flow.advance({position, along_s, along_t, time, end, {}, {}, {}, expansion}, to,
+                            options, stop);
+    }
+
+    Result<TraceCost> advance_places(const Flow& flow,
+                                     double to,
+                                     const AdvanceOptions& options,
+                                     const std::stop_token& stop) {
+        return flow.advance({position, {}, {}, time, end}, to, options, stop);
+    }
+};
+
+/// The search on one edge, for the particle that ends with the step.
+struct Search {
+    EdgeCrossing* of;
+    double died;        ///< when the one at `dead` did
+    double tried;       ///< part of the way
+    double alive = 0.0; ///< part of the way at which a particle still lives at the end of the step
+    double dead = 1.0;  ///< and at which it does not
+    bool done = false;
+
+    void learn(bool lives, double time, double now) {
+        double next = 0.5 * (alive + dead); // where particles graze the boundary
+        if (lives) {
+            alive = tried;
+        } else {
+            // The secant goes through the last two that died. It is tried a little beyond, as a living one
+            // says less; before it at the end.
+            const double step = (now - time) * (tried - dead) / (time - died);
+            next = tried + step + (std::abs(step) < close_enough ? -1.0 : 0.3) * close_enough;
+            dead = tried;
+            died = time;
+        }
+        tried = next > alive && next < dead ? next : 0.5 * (alive + dead);
+        done = dead - alive < 2.0 * close_enough;
+    }
+};
+
+/// The edge as it is now, its dead end carried on at its last velocity.
+EdgeCubic edge_now(const RefinementContext& context, const EdgeCrossing& crossing) {
+    const MaterialVertices& v = context.mesh.vertices;
+    EdgeCubic edge = edge_cubic(context.mesh, crossing.living, crossing.dead);
+    edge.b.position +=
+        Vec3(v.velocity[crossing.dead]) * (context.mesh.time - v.time[crossing.dead]);
+    return edge;
+}
+
+/// The part of the way up to which an edge is inside; 1: all of it.
+double part_inside(const RefinementContext& context, const EdgeCubic& edge, int halvings_of_it) {
+    const auto inside = [&](double part) {
+        return context.flow.status(edge.at(part).position) == PointStatus::Inside;
+    };
+    if (inside(1.0))
+        return 1.0;
+    double low = 0.0, high = 1.0;
+    for (int i = 0; i < halvings_of_it; ++i) {
+        const double middle = 0.5 * (low + high);
+        (inside(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+void search_now(const RefinementContext& context, EdgeCrossing& crossing) {
+    crossing.edge = edge_now(context, crossing);
+    crossing.part = part_inside(context, crossing.edge, halvings);
+    crossing.found = crossing.part > 0.0 && crossing.part < 1.0;
+    crossing.carried = crossing.edge.at(crossing.part);
+}
+
+/// Finds the point that is just as old as a particle may become, on an edge to an older one.
+void search_age(const RefinementContext& context, EdgeCrossing& crossing) {
+    const MaterialVertices& v = context.mesh.vertices;
+    const double t = v.t[crossing.living], older = v.t[crossing.dead];
+    const double release = context.mesh.time - (v.time[crossing.dead] - older);
+    crossing.edge = edge_cubic(context.mesh, crossing.living, crossing.dead);
+    crossing.part = (release - t) / (older - t);
+    crossing.found = crossing.part > 0.0 && crossing.part < 1.0;
+    crossing.carried = crossing.edge.at(crossing.part);
+}
+
+} // namespace
+
+Result<void> find_crossings(const RefinementContext& context,
+                            std::span<EdgeCrossing> crossings,
+                            double before,
+                            const AdvanceOptions& options,
+                            const std::stop_token& stop) {
+    const MovingMesh& mesh = context.mesh;
+    const MaterialVertices& v = mesh.vertices;
+    const double now = mesh.time;
+    const double sign = now < before ? -1.0 : 1.0;
+    const auto moved_all_step = [&](VertexId x) {
+        // A vertex of a streak surface that was released in this step was not there at its beginning.
+        return v.role[x] == VertexRole::Free &&
+               (mesh.lattice.last_row > 0.0 || sign * (v.t[x] - before) <= 0.0);
+    };
+    std::vector<Search> searches;
+    Batch living, dead;
+    for (EdgeCrossing& each : crossings) {
+        if (v.end[each.dead] == CurveEnd::Time) {
+            search_age(context, each);
+            continue;
+        }
+        if (v.end[each.dead] != CurveEnd::Domain && v.end[each.dead] != CurveEnd::Obstacle)
+            continue;
+        // A vertex that is traced again may turn out to have ended long ago, somewhere else.
+        if (sign * (v.time[each.dead] - before) < 0.0)
+            continue;
+        if (!moved_all_step(each.living) || !moved_all_step(each.dead) || now == before) {
+            search_now(context, each);
+            continue;
+        }
+        living.add(v.point(each.living).carried, now);
+        dead.add(v.point(each.dead).carried, v.time[each.dead]);
+        const double guess = part_inside(context, edge_now(context, each), halvings_of_guess);
+        searches.push_back(
+            {&each, v.time[each.dead], guess < 1.0 ? guess + 0.01 * (1.0 - guess) : 0.5});
+    }
+    for (Batch* batch : {&living, &dead})
+        if (auto back = batch->advance(context.flow, before, options, stop); !back)
+            return tl::unexpected(back.error());
+    std::vector<Search*> active;
+    for (std::size_t i = 0; i < searches.size(); ++i) {
+        Search& search = searches[i];
+        search.of->edge = {living[i], dead[i],
+                           mesh.parameter_step(search.of->living, search.of->dead)};
+        if (living.end[i] == CurveEnd::Running && dead.end[i] == CurveEnd::Running)
+            active.push_back(&search);
+        else
+            search_now(context, *search.of);
+    }
+    const std::vector<Search*> all = active;
+    for (int round = 0; round < search_rounds && !active.empty(); ++round) {
+        Batch trial;
+        for (const Search* search : active)
+            trial.add(search->of->edge.at(search->tried), before);
+        if (auto carried = trial.advance_places(context.flow, now, options, stop); !carried)
+            return tl::unexpected(carried.error());
+        for (std::size_t i = 0; i < active.size(); ++i)
+            active[i]->learn(trial.end[i] == CurveEnd::Running, trial.time[i], now);
+        std::erase_if(active, [](const Search* search) { return search->done; });
+    }
+    Batch found;
+    for (const Search* search : all) {
+        search->of->part = search->alive;
+        found.add(search->of->edge.at(search->of->part), before);
+    }
+    if (auto carried = found.advance(context.flow, now, options, stop); !carried)
+        return tl::unexpected(carried.error());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i]->of->found = all[i]->of->part > 0.0;
+        all[i]->of->carried = found[i];
+    }
+    return {};
+}
 
 namespace {
 
@@ -50,7 +238,7 @@ bool may_erode(const RefinementContext& context, TriangleId t, std::vector<Trian
         return false;
     // The surface's boundary goes round by the vertex opposite.
     const auto& [a, b, c] = here.vertex;
-    if (is_web(mesh, a, b, c))
+    if (is_bridging(mesh, a, b, c))
         return true;
     const double span =
         std::max({std::abs(mesh.parameter_step(a, b).s), std::abs(mesh.parameter_step(b, c).s),

@@ -16,8 +16,8 @@ namespace {
 using Loop = std::vector<VertexId>;
 
 constexpr std::size_t most_edges = 64; ///< of a hole that is closed
-/// What a web counts more than another triangle: one is made where there is no other way.
-constexpr double web_weight = 100.0;
+/// The weight of a bridging triangle: one is made where there is no other way.
+constexpr double bridging_weight = 100.0;
 constexpr double never = std::numeric_limits<double>::infinity();
 
 /// The borders of the surface, the surface to the left, in order of their smallest ids, from where that is.
@@ -111,7 +111,7 @@ class Filling {
             return never;
         const double edges =
             squared_length(mesh_, a, b) + squared_length(mesh_, b, c) + squared_length(mesh_, c, a);
-        return is_web(mesh_, a, b, c) ? web_weight * edges : edges;
+        return is_bridging(mesh_, a, b, c) ? bridging_weight * edges : edges;
     }
 
     void add(std::size_t i, std::size_t j, std::vector<std::array<VertexId, 3>>& out) const {

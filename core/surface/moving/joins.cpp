@@ -1,6 +1,6 @@
 #include "core/surface/moving/joins.hpp"
 
-#include "core/surface/moving/flips.hpp"
+#include "core/surface/moving/edge_changes.hpp"
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/split_criteria.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
@@ -136,7 +136,7 @@ class Join {
             const VertexId x = here.end(k), y = here.opposite(k);
             return x == kept || y == kept ||
                    (material_area(mesh_, kept, x, y) > least_material &&
-                    (!is_web(mesh_, kept, x, y) || is_web(mesh_, gone, x, y)));
+                    (!is_bridging(mesh_, kept, x, y) || is_bridging(mesh_, gone, x, y)));
         });
     }
 

@@ -1,13 +1,130 @@
-// The mesh of a streak or time surface as it moves: material vertices, triangles, and how the parameter
-// rectangle they came from is laid out.
+// The mesh of a streak or time surface as it moves: material vertices, triangles, and the lattice in the
+// parameter rectangle. A vertex knows its place on the rake and its release time, so that it can be traced
+// again, and the surface's tangents. Structure of arrays in mesh order, as advection wants it.
 #pragma once
 
+#include "core/integrate/particles.hpp"
+#include "core/surface/carried_error.hpp"
 #include "core/surface/moving/material_triangles.hpp"
-#include "core/surface/moving/material_vertices.hpp"
+#include "core/surface/quad_complex.hpp"
 
 #include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
 
 namespace wakesurf::core {
+
+/// The role of a vertex. Free: carried by the flow. Attached: on the rake, to be released. Unused: an empty
+/// slot.
+enum class VertexRole : std::uint8_t { Free, Attached, Unused };
+
+/// The place among the columns and rows that the surface began with: whole numbers there, fractions for
+/// inserted vertices.
+struct LatticePlace {
+    double column = 0.0;
+    double row = 0.0;
+};
+
+inline SurfaceTangents tangents_of(const Carried& at) {
+    return {at.along_s, at.along_t, at.expansion};
+}
+
+/// The possible distance of a vertex from the true surface.
+struct VertexError {
+    CarriedError traced; ///< by the integrator's steps, as if it had been traced from the rake
+    /// The error by interpolation, its own or that of the vertices it was interpolated from; 0 if it is
+    /// traced again.
+    CarriedError placed;
+    CarriedDistance apart; ///< by both, in any direction, from the particle it stands for
+
+    /// Returns the error half-way between two vertices.
+    static VertexError between(const VertexError& a, const VertexError& b) {
+        return {CarriedError::between(a.traced, b.traced),
+                CarriedError::between(a.placed, b.placed),
+                CarriedDistance::between(a.apart, b.apart)};
+    }
+
+    double across(const SurfaceTangents& at) const {
+        const double volume = at.volume();
+        return traced.across(volume) + placed.across(volume);
+    }
+};
+
+/// The data of a new vertex.
+struct MaterialPoint {
+    Carried carried;
+    double s = 0.0;
+    double t = 0.0; ///< release time, or place across the patch
+    LatticePlace place;
+    float birth_area = 0.0f; ///< |dx/ds x dx/dt| at release
+    bool approximated = false;
+    VertexError error;
+};
+
+/// A vertex takes so many bytes in all arrays.
+inline constexpr std::size_t vertex_bytes =
+    3 * sizeof(Vec3) + 3 * sizeof(double) + sizeof(CurveEnd) + sizeof(LatticePlace) +
+    sizeof(Vec3f) + 2 * sizeof(float) + 2 * sizeof(std::uint32_t) + sizeof(VertexRole) +
+    sizeof(std::uint8_t) + sizeof(VertexError);
+
+class MaterialVertices {
+  public:
+    /// Puts a vertex into an empty slot. @param time simulation time it holds at
+    VertexId add(const MaterialPoint& point, VertexRole role, double time);
+
+    void remove(VertexId v);
+
+    std::size_t slots() const { return role.size(); }
+
+    std::size_t used() const { return role.size() - free_.size(); }
+
+    MaterialPoint point(VertexId v) const;
+
+    /// Overwrites what is known of a vertex, its id and role staying.
+    void set(VertexId v, const MaterialPoint& point);
+
+    SurfaceTangents tangents(VertexId v) const {
+        return {along_s[v], along_t[v], double(expansion[v])};
+    }
+
+    /// Returns the particles for Flow::advance: only free, living vertices are Running.
+    Particles particles();
+
+    bool dead(VertexId v) const {
+        return end[v] != CurveEnd::Running &&
+               !(role[v] == VertexRole::Attached && end[v] == CurveEnd::Time);
+    }
+
+    /// Moves each vertex to the slot it has in `order`, which names every used one once.
+    void renumber(std::span<const VertexId> order);
+
+    /// Returns the id of the vertex that is made next.
+    std::uint32_t next_id() const { return next_id_; }
+
+    /// Sets the id of the first vertex. REQUIRES: none has been made.
+    void number_from(std::uint32_t first) { next_id_ = first; }
+
+    std::size_t bytes() const;
+
+    std::vector<Vec3> position, along_s, along_t;
+    std::vector<float> expansion; ///< as of Carried
+    std::vector<double> time;
+    std::vector<CurveEnd> end; ///< Running; Time while attached; else why it is dead
+    std::vector<double> s, t;
+    std::vector<LatticePlace> place;
+    std::vector<Vec3f> velocity; ///< at the surface's time, as of the last sample
+    std::vector<float> birth_area;
+    std::vector<std::uint32_t> id;
+    std::vector<VertexRole> role;
+    std::vector<std::uint8_t> approximated;
+    std::vector<VertexError> error;
+    std::vector<std::uint32_t> cell; ///< of a mesh of cells: see Particles
+
+  private:
+    std::vector<VertexId> free_;
+    std::uint32_t next_id_ = 0;
+};
 
 /// Columns 0..columns across the rake; a closed rake's last column is its first.
 struct RakeLattice {

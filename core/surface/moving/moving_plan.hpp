@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/surface/budget_search.hpp"
-#include "core/surface/moving/first_row.hpp"
-#include "core/surface/moving/refinement_rules.hpp"
+#include "core/surface/moving/origin.hpp"
+#include "core/surface/moving/refinement_context.hpp"
 #include "core/surface/request/surface_plan.hpp"
 
 #include <optional>

@@ -2,10 +2,9 @@
 
 #include "core/integrate/advance_particle.hpp"
 #include "core/surface/budget_search.hpp"
-#include "core/surface/moving/fixed_topology.hpp"
+#include "core/surface/moving/refinement.hpp"
 #include "core/surface/moving/release.hpp"
 #include "core/surface/moving/snapshot.hpp"
-#include "core/surface/moving/step_length.hpp"
 #include "core/surface/time_direction.hpp"
 
 #include <algorithm>
@@ -33,14 +32,14 @@ constexpr std::uint64_t check_every = 4;
 // places that is looked at, and the part of a separation that it goes within a stored interval while it is as good
 // as at rest. Flows that change slowly take the steps that they would have without.
 constexpr double speeding_up = 2.0;
-constexpr std::size_t most_looks = 256;
+constexpr std::size_t most_sampled = 256;
 constexpr double as_good_as_rest = 1e-3;
 
 constexpr double carry_share = 0.4;     // of a step, in the reported progress
 constexpr double sorting_share = 0.125; // of vertices inserted since memory was last in mesh order
 
 /// Ends the particles that are older than they may become, at the time at which they did. They have been
-/// carried on to the mesh's time, so that the surface can be cut where it is just that old (crossing.cpp).
+/// carried on to the mesh's time, so that the surface can be cut where it is just that old (clipping.cpp).
 void end_the_old(MovingMesh& mesh, const SurfaceParameters& p) {
     if (!p.life)
         return;
@@ -314,7 +313,7 @@ double MovingSurface::leading_speed(double time, const std::stop_token& stop) co
         return speed;
     };
     const double rake = state_.releasing ? fastest(VertexRole::Attached, 1) : 0.0;
-    return rake > 0.0 ? rake : fastest(VertexRole::Free, v.slots() / most_looks + 1);
+    return rake > 0.0 ? rake : fastest(VertexRole::Free, v.slots() / most_sampled + 1);
 }
 
 Result<void> MovingSurface::step(double to,

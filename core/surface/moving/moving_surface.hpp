@@ -5,10 +5,10 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/work_done.hpp"
-#include "core/surface/keyed_mesh.hpp"
 #include "core/surface/moving/moving_plan.hpp"
 #include "core/surface/moving/refinement.hpp"
 #include "core/surface/moving/step_errors.hpp"
+#include "core/surface/quad_complex.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "core/surface/surface_statistics.hpp"
 

@@ -1,8 +1,7 @@
 #include "core/surface/moving/refinement.hpp"
 
 #include "core/surface/moving/clipping.hpp"
-#include "core/surface/moving/cuts.hpp"
-#include "core/surface/moving/flips.hpp"
+#include "core/surface/moving/edge_changes.hpp"
 #include "core/surface/moving/holes.hpp"
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/joins.hpp"
@@ -362,6 +361,18 @@ void remove_unused_vertices(MovingMesh& mesh) {
         if (mesh.triangles.unused(v) && hanging[v] == 0 &&
             mesh.vertices.role[v] == VertexRole::Free)
             mesh.vertices.remove(v);
+}
+
+void leave_out_dead(MovingMesh& mesh) {
+    for (TriangleId t = 0; t < mesh.triangles.slots().size(); ++t)
+        if (mesh.triangles[t].live && has_dead_vertex(mesh, t)) {
+            const TriangleId other = mesh.triangles[t].across[mesh.triangles[t].mate];
+            mesh.triangles.remove(t);
+            mesh.triangles.remove(other);
+        }
+    mesh.triangles.touched().clear();
+    mesh.triangles.loose().clear();
+    remove_unused_vertices(mesh);
 }
 
 } // namespace wakesurf::core

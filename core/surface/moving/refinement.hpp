@@ -5,6 +5,7 @@
 
 #include "core/base/result.hpp"
 #include "core/base/work_done.hpp"
+#include "core/surface/moving/moving_mesh.hpp"
 #include "core/surface/moving/origin.hpp"
 #include "core/surface/moving/refinement_context.hpp"
 #include "core/surface/moving/scan.hpp"
@@ -90,6 +91,11 @@ class Refinement {
     std::stop_token stop_; ///< of run()
     std::uint64_t unresolved_ = 0;
 };
+
+/// Removes the cells with a dead vertex, which never comes back, and the vertices that no other cell has: the
+/// whole refinement of a grid that stays as it was released. Cost: O(cells + vertices). Source: von Funck,
+/// Weinkauf, Theisel, Seidel, Smoke Surfaces, 2008.
+void leave_out_dead(MovingMesh& mesh);
 
 /// Frees the slots of vertices that no triangle has and none is handed out with, except attached ones.
 void remove_unused_vertices(MovingMesh& mesh);

@@ -1,7 +1,8 @@
-// Handles the vertices of a moving surface between steps: rows leave the rake, the dead are kept track of,
-// memory is put back into mesh order.
+// The vertices of a moving surface between steps: how long the next step is, the row that leaves the rake, the
+// count of the dead, and the order in memory.
 #pragma once
 
+#include "core/surface/moving/moving_mesh.hpp"
 #include "core/surface/moving/origin.hpp"
 #include "core/surface/surface_statistics.hpp"
 
@@ -9,6 +10,13 @@
 #include <vector>
 
 namespace wakesurf::core {
+
+/// Returns the length of the next step towards `to`. A row released at the rake falls no further behind than
+/// rows are apart, and no edge grows by more than half, unless nothing is inserted between vertices.
+/// @param separation  longest edge allowed
+/// @param releasing   a row is measured by the speed at the rake rather than by the fastest particle
+double
+step_length(const MovingMesh& mesh, double to, double separation, bool releasing, bool refines);
 
 /// Sets every living attached vertex free; returns them in order along the rake.
 std::vector<VertexId> release_row(MovingMesh& mesh);

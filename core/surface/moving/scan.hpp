@@ -1,18 +1,41 @@
-// Finds violated limits after a step: a test of every triangle of a moving surface in single precision, with
-// some margin, then the exact rules for the few that it selects.
+// The limits that a step has violated: metrics of every triangle of a moving surface in single precision, many
+// at a time and with some margin, then the exact rules for the few that these select.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"
-#include "core/surface/moving/triangle_looks.hpp"
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace wakesurf::core {
 
+/// Lengths are in separations.
+struct TriangleMetrics {
+    std::array<float, 3> normal{};    ///< of length 1
+    std::array<float, 3> cotangent{}; ///< [k]: of the angle opposite to edge k
+    std::uint32_t flags = 0;          ///< of TriangleFlag
+};
+
+/// What the metrics of a triangle need of a vertex, in one line of the cache.
+struct alignas(64) VertexMetrics {
+    Vec3 position;
+    double s, t;
+    Vec3f along_s, along_t;
+};
+
+/// The metrics of all vertices and triangles in one step.
+struct MeshMetrics {
+    std::vector<VertexMetrics> vertices; ///< of vertex slots
+    std::vector<float> density;          ///< likewise: area in space of a unit of material
+    std::vector<std::uint8_t> states;    ///< likewise
+    std::vector<TriangleMetrics> of;     ///< of triangle slots
+};
+
 /// Keeps memory from step to step; nothing in it outlives one.
 struct ScanMemory {
-    TriangleLooks looks;
+    MeshMetrics metrics;
     std::vector<std::uint8_t> needs; ///< of triangle slots
 };
 

@@ -19,7 +19,7 @@ float deformation_of(const MaterialVertices& v, VertexId i) {
                : 0.0f;
 }
 
-using Corners = std::array<VertexId, 4>;
+using CellCorners = std::array<VertexId, 4>;
 
 /// The place of the element with an id.
 struct Named {
@@ -32,7 +32,7 @@ void sort_by_name(std::vector<Named>& things) {
 
 /// The quads of the triangles, in the order of their slots.
 struct Quads {
-    std::vector<Corners> corners; ///< slots
+    std::vector<CellCorners> corners; ///< slots
     std::vector<Named> names;
     std::vector<Triangle> odd;
 };
@@ -82,7 +82,7 @@ std::vector<Named> vertices_of(const MovingMesh& mesh, std::span<const Triangle>
 }
 
 /// Returns the corner of a quad that was released last. No two have the same s and t.
-std::size_t youngest(const MovingMesh& mesh, const Corners& corner) {
+std::size_t youngest(const MovingMesh& mesh, const CellCorners& corner) {
     const MaterialVertices& v = mesh.vertices;
     const auto younger = [&](std::size_t i, std::size_t k) {
         const VertexId a = corner[i], b = corner[k];
@@ -156,7 +156,7 @@ KeyedMesh snapshot(const MovingMesh& mesh,
 
     // The first two corners are those released last, as those of a cell that the rake has just released.
     for_each_index(quads.corners.size(), [&](std::size_t k) {
-        const Corners slots = quads.corners[k];
+        const CellCorners slots = quads.corners[k];
         const std::size_t first = youngest(mesh, slots);
         for (std::size_t i = 0; i < 4; ++i)
             quads.corners[k][i] = place[slots[(first + i) % 4]];

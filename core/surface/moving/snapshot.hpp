@@ -2,9 +2,9 @@
 // ids.
 #pragma once
 
-#include "core/surface/keyed_mesh.hpp"
 #include "core/surface/moving/moving_mesh.hpp"
 #include "core/surface/moving/step_errors.hpp"
+#include "core/surface/quad_complex.hpp"
 
 #include <string>
 

@@ -15,8 +15,8 @@ constexpr double largest_bulge = 0.1;
 constexpr double shallow = 0.15; ///< depth of a chord in a convex wall
 constexpr double at_wall = 0.25; ///< reach within which something is beside an obstacle
 
-/// Relative area in (s, t) below which a web is not cut any more.
-constexpr double thin_web = 1e-5;
+/// Relative area in (s, t) below which a bridging triangle is not cut any more.
+constexpr double thin_bridging = 1e-5;
 
 /// The directions are seven opposite pairs: the axes and the diagonals of a cube.
 constexpr double third = 0.57735026918962576;
@@ -204,7 +204,7 @@ bool is_crumb(const RefinementContext& context, TriangleId t) {
     const MovingMesh& mesh = context.mesh;
     const auto& [a, b, c] = mesh.triangles[t].vertex;
     const double material = material_area(mesh, a, b, c);
-    if (!(material > least_material) || (material < thin_web && is_web(mesh, a, b, c)))
+    if (!(material > least_material) || (material < thin_bridging && is_bridging(mesh, a, b, c)))
         return true;
     const unsigned k = longest_edge_of(mesh, t);
     const Triangle& here = mesh.triangles[t];

@@ -40,7 +40,7 @@ bool is_diagonal(const RefinementContext& context, TriangleId t, unsigned k, boo
 /// surface.
 bool is_torn(const RefinementContext& context, TriangleId t, unsigned k);
 
-/// Returns true for a triangle with next to no material, a web with little, or one of next to no height:
+/// True for a triangle with next to no material, a bridging one with little, or one of next to no height:
 /// cutting it would have no end.
 bool is_crumb(const RefinementContext& context, TriangleId t);
 

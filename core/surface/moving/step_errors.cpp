@@ -11,7 +11,7 @@ namespace wakesurf::core {
 namespace {
 
 constexpr int boxes = 16;    ///< along each axis of the domain
-constexpr double kept = 0.7; ///< of what was learnt before
+constexpr double share_kept = 0.7; ///< of what was learnt before
 
 constexpr double share = 1.0 / 32.0; ///< of the vertices
 constexpr double fewest = 16.0;
@@ -57,7 +57,7 @@ std::size_t StepErrors::place(const Vec3& position) const {
 void StepErrors::begin(double h) {
     // Fields with kinks are of second order, smooth ones of fourth.
     const double longer = step_ > 0.0 ? h / step_ : 1.0;
-    const auto left = static_cast<float>(kept * std::pow(longer, longer > 1.0 ? 3.0 : 2.0));
+    const auto left = static_cast<float>(share_kept * std::pow(longer, longer > 1.0 ? 3.0 : 2.0));
     for (float& rate : rate_)
         rate *= left;
     largest_ *= left;

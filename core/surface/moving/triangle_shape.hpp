@@ -73,12 +73,12 @@ inline double material_area(const MovingMesh& mesh, VertexId a, VertexId b, Vert
 constexpr double least_material = 1e-9;
 
 /// A triangle may cover so many times the area that its material has by the tangents.
-constexpr double web_density = 4.0;
+constexpr double bridging_density = 4.0;
 
-/// True for a triangle that covers much more area than its material has, by the tangents at its vertices: a
-/// web across a fold, between layers of the surface that are close in space and far from each other on it.
+/// True for a triangle that covers much more area than its material has, by the tangents at its vertices: it
+/// bridges a fold, between layers of the surface that are close in space and far from each other on it.
 /// What is interpolated does not tell.
-inline bool is_web(const MovingMesh& mesh, VertexId a, VertexId b, VertexId c) {
+inline bool is_bridging(const MovingMesh& mesh, VertexId a, VertexId b, VertexId c) {
     const MaterialVertices& v = mesh.vertices;
     double density = 0.0;
     for (const VertexId x : {a, b, c})
@@ -88,7 +88,7 @@ inline bool is_web(const MovingMesh& mesh, VertexId a, VertexId b, VertexId c) {
     const ParameterStep q = mesh.parameter_step(a, c);
     const double material = p.s * q.t - q.s * p.t;
     return density > 0.0 && squared(area_vector(mesh, a, b, c)) >
-                                web_density * web_density * density * material * material;
+                                bridging_density * bridging_density * density * material * material;
 }
 
 /// Cosine between two vectors that need not have a length; `without` where one has none.

@@ -1,7 +1,7 @@
 // What every streak and time surface keeps after every step, on requests that no one chose: all flows, lines,
 // polylines and circles, separations over two decades, all accuracies. WAKESURF_SURFACES=N looks at the first
 // N of them, WAKESURF_SURFACE=N at that one alone.
-#include "core/field/analytic_catalogue.hpp"
+#include "core/field/analytic_flow.hpp"
 #include "tests/support/mesh_hash.hpp"
 #include "tests/support/moving_runs.hpp"
 

@@ -1,7 +1,6 @@
 // One look in single precision at all triangles finds what the exact rules would, asked of each.
 #include "core/field/analytic_flow.hpp"
-#include "core/surface/moving/cuts.hpp"
-#include "core/surface/moving/flips.hpp"
+#include "core/surface/moving/edge_changes.hpp"
 #include "core/surface/moving/joins.hpp"
 #include "core/surface/moving/pairing.hpp"
 #include "core/surface/moving/scan.hpp"

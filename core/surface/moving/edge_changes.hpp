@@ -1,4 +1,5 @@
-// The edges of a moving surface to be cut, and their order.
+// Which edges of a moving surface are turned and which are cut. The shorter diagonal of two neighbouring
+// triangles is the better edge, and shear changes which that is.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"
@@ -7,6 +8,14 @@
 #include <vector>
 
 namespace wakesurf::core {
+
+/// True where turning an edge leaves fewer bridging triangles (see is_bridging()), or makes the worse of the two triangles
+/// better and no edge that would be cut; and turns nothing over in (s, t).
+bool should_flip(const RefinementContext& context, TriangleId t, unsigned k);
+
+/// Turns edges of the triangles in `queue`, and of those that it changes, until none is worth it, or each has
+/// been turned twenty times on average. The queue is empty then.
+void flip_all(const RefinementContext& context, std::vector<TriangleId>& queue);
 
 struct WantedCut {
     /// The squared length; in a list that of the separation is a million, and edges of one length are taken
@@ -21,7 +30,7 @@ struct WantedCut {
 bool needs_cut(const RefinementContext& context, TriangleId t);
 
 /// The edges of `candidates`, which are in order, to be cut, the longest first, each once.
-/// @param shape  bends, bulges and webs count; else only what is too long or goes through an obstacle
+/// @param shape  bends, bulges and bridging triangles count; else only what is too long or goes through an obstacle
 std::vector<WantedCut>
 wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candidates, bool shape);
 

@@ -1,5 +1,6 @@
-#include "core/surface/moving/cuts.hpp"
+#include "core/surface/moving/edge_changes.hpp"
 
+#include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/split_criteria.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
 
@@ -14,12 +15,96 @@ namespace wakesurf::core {
 
 namespace {
 
+/// Cosine of the angle at which two new triangles may meet, unless the old ones met at a larger one.
+constexpr double least_flat = 0.766; // 40 degrees
+constexpr double sliver = 0.1;       ///< quality
+
+/// Returns the cotangent of an angle by squared lengths: of the two sides at it, and of the third.
+double cotangent(double p, double q, double across) {
+    const double twice_dot = p + q - across;
+    return twice_dot /
+           std::sqrt(std::max(4.0 * p * q - twice_dot * twice_dot, 1e-12 * p * q + 1e-300));
+}
+
+} // namespace
+
+bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
+    const MovingMesh& mesh = context.mesh;
+    const Triangle& here = mesh.triangles[t];
+    const TriangleId u = here.across[k];
+    if (u == no_triangle)
+        return false;
+    const VertexId a = here.begin(k), b = here.end(k), c = here.opposite(k);
+    const VertexId d = mesh.triangles.opposite_beyond(t, k);
+    if (c == d)
+        return false;
+    const double ab = squared_length(mesh, a, b);
+    const double ac = squared_length(mesh, a, c), bc = squared_length(mesh, b, c);
+    const double ad = squared_length(mesh, a, d), bd = squared_length(mesh, b, d);
+    const double cd = squared_length(mesh, c, d);
+    const int bridging_before = is_bridging(mesh, a, b, c) + is_bridging(mesh, b, a, d);
+    const int bridging_after = is_bridging(mesh, a, d, c) + is_bridging(mesh, d, b, c);
+    if (bridging_after > bridging_before)
+        return false;
+    const Vec3 old_t = area_vector(mesh, a, b, c), old_u = area_vector(mesh, b, a, d);
+    const Vec3 new_t = area_vector(mesh, a, d, c), new_u = area_vector(mesh, d, b, c);
+    const double before = std::min(quality_of(squared(old_t), ab + bc + ac),
+                                   quality_of(squared(old_u), ab + ad + bd));
+    const double after = std::min(quality_of(squared(new_t), ad + cd + ac),
+                                  quality_of(squared(new_u), bd + bc + cd));
+    if (bridging_after == bridging_before) {
+        if (!(cotangent(ac, bc, ab) + cotangent(ad, bd, ab) < -1e-3)) // Delaunay already
+            return false;
+        if (!(after > before)) // on an uneven surface it might go on for ever
+            return false;
+        if (cd > context.squared_separation() && cd > ab * (1.0 - 1e-9))
+            return false;
+    }
+    if (!(material_area(mesh, a, d, c) > least_material) ||
+        !(material_area(mesh, d, b, c) > least_material))
+        return false;
+    const double flat_before = cosine_between(old_t, old_u, 0.0);
+    const double flat_after = cosine_between(new_t, new_u, -1.0);
+    if (bridging_after == bridging_before && flat_after < std::min(least_flat, flat_before) &&
+        !(before < sliver && flat_after > 0.0))
+        return false;
+    if (mesh.lattice.closed && std::abs(mesh.parameter_step(c, d).s) > 0.3)
+        return false; // the short way round would not be the surface's
+    // It would be cut again, and joined again, in every step.
+    if (bridging_after == bridging_before && bulges(context, c, d, 0.8) &&
+        squared(edge_bend(mesh, c, d)) > squared(edge_bend(mesh, a, b)))
+        return false;
+    return mesh.triangles.find(c, d).triangle == no_triangle &&
+           mesh.triangles.find(d, c).triangle == no_triangle &&
+           !crosses_obstacle(context, c, d, cd);
+}
+
+void flip_all(const RefinementContext& context, std::vector<TriangleId>& queue) {
+    MaterialTriangles& triangles = context.mesh.triangles;
+    const std::size_t most = queue.size() * 20 + 1000;
+    for (std::size_t i = 0; i < queue.size() && i < most && !context.stop.stop_requested(); ++i) {
+        const TriangleId t = queue[i];
+        if (!triangles[t].live)
+            continue;
+        for (unsigned k = 0; k < 3; ++k)
+            if (should_flip(context, t, k)) {
+                queue.push_back(t);
+                queue.push_back(triangles[t].across[k]);
+                triangles.flip(t, k);
+                break;
+            }
+    }
+    queue.clear();
+}
+
+namespace {
+
 /// Edges shorter than this part of the separation are not cut for what lies beside them.
 constexpr double bend_floor = 0.7;
 
 /// Such a floor for cuts across a fold: a sheet that rolls up more narrowly than the separation was cut from
 /// 250 to 1,200 quads in two steps with an eighth or a quarter.
-constexpr double web_floor = 0.5;
+constexpr double fold_floor = 0.5;
 
 bool bends(const RefinementContext& context, TriangleId t, TriangleId u) {
     const Vec3 p = area_vector(context.mesh, t);
@@ -52,7 +137,7 @@ void add_bend(const RefinementContext& context,
         wanted.push_back(best);
 }
 
-/// Returns the edge of a web that crosses the fold: in (s, t), where its vertices are nearly on one line, the
+/// Returns the edge of a bridging triangle that crosses the fold: in (s, t), where its vertices are nearly on one line, the
 /// longest.
 unsigned shortcut_of(const MovingMesh& mesh, TriangleId t) {
     const Triangle& here = mesh.triangles[t];
@@ -76,14 +161,14 @@ unsigned shortcut_of(const MovingMesh& mesh, TriangleId t) {
     return longest;
 }
 
-/// A web whose shortcut is long enough to be cut; nothing if there is none.
-std::optional<unsigned> web_to_cut(const RefinementContext& context, TriangleId t) {
+/// The shortcut of a bridging triangle, if it is long enough to be cut.
+std::optional<unsigned> shortcut_to_cut(const RefinementContext& context, TriangleId t) {
     const MovingMesh& mesh = context.mesh;
     const Triangle& here = mesh.triangles[t];
-    if (!is_web(mesh, here.vertex[0], here.vertex[1], here.vertex[2]))
+    if (!is_bridging(mesh, here.vertex[0], here.vertex[1], here.vertex[2]))
         return std::nullopt;
     const unsigned k = shortcut_of(mesh, t);
-    return squared_length(mesh, here.begin(k), here.end(k)) > context.squared_separation(web_floor)
+    return squared_length(mesh, here.begin(k), here.end(k)) > context.squared_separation(fold_floor)
                ? std::optional(k)
                : std::nullopt;
 }
@@ -92,7 +177,7 @@ std::optional<unsigned> web_to_cut(const RefinementContext& context, TriangleId 
 
 bool needs_cut(const RefinementContext& context, TriangleId t) {
     const Triangle& here = context.mesh.triangles[t];
-    if (web_to_cut(context, t))
+    if (shortcut_to_cut(context, t))
         return true;
     for (unsigned k = 0; k < 3; ++k) {
         if (here.across[k] != no_triangle && here.across[k] < t)
@@ -116,7 +201,7 @@ wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candid
         const Triangle& here = mesh.triangles[t];
         if (!here.live || context.stop.stop_requested())
             continue;
-        if (const auto k = shape ? web_to_cut(context, t) : std::nullopt) {
+        if (const auto k = shape ? shortcut_to_cut(context, t) : std::nullopt) {
             const VertexId a = here.begin(*k), b = here.end(*k);
             wanted.push_back({squared_length(mesh, a, b), a, b, ids[a], ids[b], false});
         }

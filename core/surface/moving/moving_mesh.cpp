@@ -1,4 +1,4 @@
-#include "core/surface/moving/material_vertices.hpp"
+#include "core/surface/moving/moving_mesh.hpp"
 
 namespace wakesurf::core {
 
