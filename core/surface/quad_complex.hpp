@@ -90,4 +90,12 @@ std::optional<StatedError> stated_error(const QuadComplex& complex, double separ
 /// Returns the length of the longest sub-edge (sides cut at their mid nodes).
 double longest_edge(const QuadComplex& complex);
 
+/// A mesh whose vertices and cells have ids that last from one state of a surface to the next. Ids ascend; an id is never used again for something else.
+struct KeyedMesh {
+    QuadComplex mesh;                     ///< the mesh itself
+    std::vector<std::uint32_t> vertex_id; ///< of each vertex
+    std::vector<std::uint32_t> cell_id;   ///< of each cell
+    double time = 0.0;                    ///< simulation time
+};
+
 } // namespace wakesurf::core

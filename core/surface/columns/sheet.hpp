@@ -1,5 +1,5 @@
-// A sheet: all strips of a rake in one direction of time, refined until every one is zipped. Traces the
-// curves the strips ask for, always from the rake, in batches.
+// A sheet: all strips of a rake in one direction of time, refined until every one is zipped and nowhere bends
+// too sharply across its columns. Traces the curves the strips ask for, always from the rake, in batches.
 #pragma once
 
 #include "core/base/clock.hpp"

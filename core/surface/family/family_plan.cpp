@@ -15,11 +15,11 @@ namespace wakesurf::core {
 namespace {
 
 /// The velocities at those of some places that are in the fluid.
-class Looked {
+class FlowSamples {
   public:
-    static Result<Looked>
+    static Result<FlowSamples>
     at(const Flow& flow, std::span<const Vec3> places, double time, const std::stop_token& stop) {
-        Looked out;
+        FlowSamples out;
         for (const Vec3& p : places)
             if (flow.status(p) == PointStatus::Inside)
                 out.place.push_back(p);
@@ -62,9 +62,9 @@ class Looked {
 constexpr double nothing = 1e-9;
 
 /// Returns the normal turned the way that most of the flow passes. Error: no flow passes.
-Result<Vec3> passed(const Looked& looked, const Vec3& normal, const std::string& what) {
-    const double fastest = looked.fastest();
-    const auto [sum, largest] = looked.along(normal);
+Result<Vec3> passed(const FlowSamples& samples, const Vec3& normal, const std::string& what) {
+    const double fastest = samples.fastest();
+    const auto [sum, largest] = samples.along(normal);
     if (fastest == 0.0)
         return fail(Error::Code::InvalidArgument, "the velocity is zero along " + what,
                     "move it to where the flow passes");
@@ -122,19 +122,19 @@ resolve(const Flow& flow, const FamilyPlane& asked, double time, const std::stop
     const SourcePlane plane{asked.point, asked.normal / length};
     if (auto inside = check_inside(plane, flow.domain()); !inside)
         return tl::unexpected(inside.error());
-    const auto looked = Looked::at(flow, places_of(plane, flow.domain()), time, stop);
-    if (!looked)
-        return tl::unexpected(looked.error());
-    if (looked->place.empty()) // a sliver, which the nodes beside it will find
+    const auto samples = FlowSamples::at(flow, places_of(plane, flow.domain()), time, stop);
+    if (!samples)
+        return tl::unexpected(samples.error());
+    if (samples->place.empty()) // a sliver, which the nodes beside it will find
         return plane;
-    return passed(*looked, plane.normal, "the plane").map([&](const Vec3& normal) {
+    return passed(*samples, plane.normal, "the plane").map([&](const Vec3& normal) {
         return SourcePlane{plane.point, normal};
     });
 }
 
 /// Returns, of the planes that a straight line lies in, the one that is passed most: across the axis along
 /// which the velocities' parts beside the line are largest.
-Result<Vec3> most_passed(const Looked& looked, const Rake& line) {
+Result<Vec3> most_passed(const FlowSamples& samples, const Rake& line) {
     const Vec3 ahead = glm::normalize(line.points.back() - line.points.front());
     const Vec3 axis = std::abs(ahead.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 u = glm::normalize(glm::cross(ahead, axis));
@@ -142,7 +142,7 @@ Result<Vec3> most_passed(const Looked& looked, const Rake& line) {
     double uu = 0.0;
     double uv = 0.0;
     double vv = 0.0;
-    for (const Vec3& velocity : looked.velocity) {
+    for (const Vec3& velocity : samples.velocity) {
         const double a = glm::dot(velocity, u);
         const double b = glm::dot(velocity, v);
         uu += a * a;
@@ -150,7 +150,7 @@ Result<Vec3> most_passed(const Looked& looked, const Rake& line) {
         vv += b * b;
     }
     const double angle = 0.5 * std::atan2(2.0 * uv, uu - vv);
-    return passed(looked, std::cos(angle) * u + std::sin(angle) * v, "the curve");
+    return passed(samples, std::cos(angle) * u + std::sin(angle) * v, "the curve");
 }
 
 Result<void>
@@ -166,10 +166,10 @@ resolve(FamilyPlan& plan, const Flow& flow, const Rake& rake, const std::stop_to
     constexpr int most = 64;
     for (int i = 0; i <= most; ++i)
         places.push_back(curve.at(static_cast<double>(i) / most));
-    const auto looked = Looked::at(flow, places, plan.time, stop);
-    if (!looked)
-        return tl::unexpected(looked.error());
-    auto turned = *normal ? passed(*looked, **normal, "the curve") : most_passed(*looked, rake);
+    const auto samples = FlowSamples::at(flow, places, plan.time, stop);
+    if (!samples)
+        return tl::unexpected(samples.error());
+    auto turned = *normal ? passed(*samples, **normal, "the curve") : most_passed(*samples, rake);
     if (!turned)
         return tl::unexpected(turned.error());
     plan.plane = SourcePlane{rake.points.front(), *turned};
@@ -190,10 +190,10 @@ Result<FamilyPlan> plan_family(const Flow& flow,
     if (!std::isfinite(request.length) || request.length < 0.0)
         return fail(Error::Code::InvalidArgument, "the longest way of a node must not be negative");
     plan.length = request.length > 0.0 ? request.length : 10.0 * flow.domain().diagonal();
-    const auto looked = Looked::at(flow, some, time, stop);
-    if (!looked)
-        return tl::unexpected(looked.error());
-    const double fastest = looked->fastest();
+    const auto samples = FlowSamples::at(flow, some, time, stop);
+    if (!samples)
+        return tl::unexpected(samples.error());
+    const double fastest = samples->fastest();
     if (!(fastest > 0.0))
         return fail(Error::Code::InvalidArgument, "the velocity is zero at that time",
                     "choose a time at which the flow moves");

@@ -2,7 +2,7 @@
 // each time-step.
 #pragma once
 
-#include "core/surface/family/family_request.hpp"
+#include "core/surface/family/family_plan.hpp"
 #include "core/surface/family/family_trace.hpp"
 
 #include <cstddef>

@@ -2,9 +2,11 @@
 
 #include "core/base/rounding.hpp"
 #include "core/field/sample_scalar.hpp"
-#include "core/surface/family/plane_crossing.hpp"
+#include "core/integrate/curve.hpp"
+#include "core/surface/family/family_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,6 +14,103 @@
 namespace wakesurf::core {
 
 namespace {
+
+/// Finds the first passages of one curve through a plane, in the order of its steps.
+class PlanePassages {
+  public:
+    /// Adds a step. False: the main passage is found.
+    /// @param sign  +1 downstream, -1 upstream
+    bool add_step(const SourcePlane& plane, const Curve& curve, const CurveStep& step, double sign);
+
+    /// Ends a curve after its last step. A curve that ends in the plane, as where that is a face of the
+    /// domain, passes there.
+    /// @param slack  how far from the plane it still ends in it
+    void end(const SourcePlane& plane, const Curve& curve, double sign, double slack);
+
+    std::optional<Vec3> main;  ///< the way the normal points, as the flow goes
+    std::optional<Vec3> other; ///< the other way
+
+  private:
+    void pass(const Vec3& at, bool rising, double sign);
+
+    int side_ = 0; ///< of the plane, where the last step ended; 0: there was none
+};
+
+// A step is no longer than a cell, in which the flow hardly turns: a passage there and back within an eighth
+// of it is none.
+constexpr int parts_of_step = 8;
+
+/// The height over a plane along a step, with the coefficients of its dense output.
+struct HeightAlong {
+    std::array<double, 5> c;
+
+    HeightAlong(const SourcePlane& plane, const CurveStep& step) : c{} {
+        for (std::size_t k = 0; k < c.size(); ++k)
+            c[k] = glm::dot(plane.normal, Vec3(step.c[k]));
+        c[0] = plane.height(Vec3(step.c[0]));
+    }
+
+    double at(double theta) const {
+        const double other = 1.0 - theta;
+        return c[0] + theta * (c[1] + other * (c[2] + theta * (c[3] + other * c[4])));
+    }
+
+    /// Returns where it is 0 between two places with different signs.
+    double root(double low, double high) const {
+        const bool rising = at(low) < at(high);
+        for (int halving = 0; halving < 60 && low < high; ++halving) {
+            const double middle = 0.5 * (low + high);
+            if (middle == low || middle == high)
+                break;
+            ((at(middle) < 0.0) == rising ? low : high) = middle;
+        }
+        return high;
+    }
+};
+
+void PlanePassages::pass(const Vec3& at, bool rising, double sign) {
+    auto& kind = rising == (sign > 0.0) ? main : other;
+    if (!kind)
+        kind = at;
+}
+
+bool PlanePassages::add_step(const SourcePlane& plane,
+                             const Curve& curve,
+                             const CurveStep& step,
+                             double sign) {
+    const double begin = plane.height(Vec3(step.c[0]));
+    const double way = curve.last.arc - step.c[0].w;
+    const double end = step.dt != 0.0 ? (curve.last.time - step.time) / step.dt : 0.0;
+    const HeightAlong height(plane, step);
+    if (side_ == 0) {
+        // A node on the plane, but for rounding, is where it is passed.
+        const double rounded =
+            1e-12 * (glm::length(plane.point) + glm::length(Vec3(step.c[0])) + step.c[1].w);
+        const double slope = height.c[1] + height.c[2];
+        side_ = begin > 0.0 ? 1 : -1;
+        if (std::abs(begin) <= rounded && slope != 0.0) {
+            side_ = slope > 0.0 ? 1 : -1;
+            pass(Vec3(step.c[0]), slope > 0.0, sign);
+        }
+    }
+    if (std::abs(begin) > 1.01 * way) // too far away
+        return !main;
+    double before = 0.0;
+    for (int i = 1; i <= parts_of_step && !main; ++i) {
+        const double theta = end * i / parts_of_step;
+        if (height.at(theta) * side_ < 0.0) {
+            pass(Vec3(step.at(height.root(before, theta))), side_ < 0, sign);
+            side_ = -side_;
+        }
+        before = theta;
+    }
+    return !main;
+}
+
+void PlanePassages::end(const SourcePlane& plane, const Curve& curve, double sign, double slack) {
+    if (side_ != 0 && std::abs(plane.height(curve.last.position)) <= slack)
+        pass(curve.last.position, side_ < 0, sign);
+}
 
 /// A flow that passes a face more slowly than this part of the speed runs along it.
 constexpr double along_a_face = 1e-6;
@@ -128,7 +227,7 @@ class NodesOnTheirWay {
         std::vector<PlanePassages> passages(curves.size());
         const StepWatch watch = [&](const Curve& curve, const CurveStep& step) {
             PlanePassages& here = passages[static_cast<std::size_t>(&curve - curves.data())];
-            return here.look(*plan_.plane, curve, step, sign) && curve.last.arc < plan_.length;
+            return here.add_step(*plan_.plane, curve, step, sign) && curve.last.arc < plan_.length;
         };
         return trace(curves, watch, stop).map([&] {
             for (std::size_t k = 0; k < curves.size(); ++k) {

@@ -4,7 +4,7 @@
 
 #include "core/base/work_done.hpp"
 #include "core/dataset/grid.hpp"
-#include "core/dataset/scalar_source.hpp"
+#include "core/dataset/scalar_steps.hpp"
 #include "core/surface/family/family_plan.hpp"
 
 #include <array>

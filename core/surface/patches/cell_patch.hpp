@@ -4,13 +4,46 @@
 // how far the sides are from cubic functions over a plane through the cell, which is of fourth.
 #pragma once
 
-#include "core/surface/patches/plane_cubics.hpp"
+#include "core/base/vec3.hpp"
 #include "core/surface/patches/side_curve.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace wakesurf::core {
+
+/// Three functions of a place in the plane at once: height, s, t.
+using PlaneValues = Vec3;
+
+/// Polynomials of third degree.
+class PlaneCubics {
+  public:
+    static constexpr std::size_t terms = 10;
+    using Terms = std::array<double, terms>;
+
+    PlaneValues value(double x, double y) const;
+
+    /// Returns the derivatives by x and by y.
+    std::array<PlaneValues, 2> slope(double x, double y) const;
+
+    std::array<PlaneValues, terms> factor{};
+};
+
+/// Fits by least squares, with as little as needed where the conditions leave something open.
+class PlaneCubicFit {
+  public:
+    void add_value(double x, double y, const PlaneValues& value);
+    void add_slope(double x, double y, const PlaneValues& by_x, const PlaneValues& by_y);
+
+    PlaneCubics solve() const;
+
+  private:
+    void add(const PlaneCubics::Terms& row, const PlaneValues& value);
+
+    std::array<PlaneCubics::Terms, PlaneCubics::terms> matrix_{};
+    std::array<PlaneValues, PlaneCubics::terms> right_{};
+};
 
 /// A side of a cell, in the direction in which its outline is run through.
 struct PatchSide {

@@ -1,17 +1,71 @@
-// The sides of a surface's cells as curves. Two vertices beside each other are joined by a cubic that touches
-// the surface at both: its distance from the surface is of fourth order in its length. Source: Schneider,
-// Wiebel, Scheuermann, Smooth Stream Surfaces of Fourth Order Precision, EuroVis 2009, with the tangent
-// planes of Vlachos et al., Curved PN Triangles, 2001.
+// The sides of a surface's cells: a number for each piece that two cells share, and its curve. Two vertices
+// beside each other are joined by a cubic that touches the surface at both: its distance from the surface is of
+// fourth order in its length. Source: Schneider, Wiebel, Scheuermann, Smooth Stream Surfaces of Fourth Order
+// Precision, EuroVis 2009, with the tangent planes of Vlachos et al., Curved PN Triangles, 2001.
 #pragma once
 
-#include "core/surface/patches/patch_point.hpp"
+#include "core/base/vec3.hpp"
 #include "core/surface/quad_complex.hpp"
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace wakesurf::core {
+
+/// The pieces of the sides of a mesh's cells, between one vertex and the next, each once: numbers for what
+/// both cells beside one share.
+class SideTable {
+  public:
+    /// Builds the table. Cost: O(cells), 28 bytes a cell.
+    explicit SideTable(const QuadComplex& mesh);
+
+    std::size_t count() const { return to_.size(); }
+
+    /// Returns the number of the piece between two vertices that are beside each other, in either order.
+    std::size_t number(VertexId a, VertexId b) const;
+
+    /// Only one cell has it.
+    bool outline(std::size_t number) const { return cells_[number] == 1; }
+
+    struct Ends {
+        VertexId a, b; ///< a < b
+    };
+
+    /// Calls visit(number, Ends) for all, in order.
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        for (VertexId a = 0; a + 1 < first_.size(); ++a)
+            for (std::size_t k = first_[a]; k < first_[a + 1]; ++k)
+                visit(k, Ends{a, to_[k]});
+    }
+
+  private:
+    std::vector<std::uint32_t> first_; ///< by the smaller vertex, where its pieces begin
+    std::vector<VertexId> to_;         ///< the larger vertex
+    std::vector<std::uint8_t> cells_;  ///< how many have it
+};
+
+/// A point of a surface between its vertices: its place, and the surface's two coordinates there. Points add
+/// and scale, so that one formula interpolates all of it.
+struct PatchPoint {
+    Vec3 position{0.0};
+    double s = 0.0;
+    double t = 0.0;
+};
+
+inline PatchPoint operator+(const PatchPoint& a, const PatchPoint& b) {
+    return {a.position + b.position, a.s + b.s, a.t + b.t};
+}
+
+inline PatchPoint operator-(const PatchPoint& a, const PatchPoint& b) {
+    return {a.position - b.position, a.s - b.s, a.t - b.t};
+}
+
+inline PatchPoint operator*(double k, const PatchPoint& a) {
+    return {k * a.position, k * a.s, k * a.t};
+}
 
 /// Returns the normal of length 1 of the plane that tangents span; nothing where they span none.
 std::optional<Vec3> unit_normal(const SurfaceTangents& tangents);

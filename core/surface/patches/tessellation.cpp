@@ -2,7 +2,7 @@
 
 #include "core/base/for_each_index.hpp"
 #include "core/surface/patches/cell_patch.hpp"
-#include "core/surface/patches/side_table.hpp"
+#include "core/surface/patches/side_curve.hpp"
 
 #include <algorithm>
 #include <array>

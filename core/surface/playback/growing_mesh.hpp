@@ -2,7 +2,7 @@
 // order of age, so that growing is appending at the end and stepping back is removing there.
 #pragma once
 
-#include "core/surface/keyed_mesh.hpp"
+#include "core/surface/quad_complex.hpp"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "core/surface/playback/played_surface.hpp"
 
 #include "core/surface/builder/emptiness.hpp"
-#include "core/surface/moving/shown_surface.hpp"
+#include "core/surface/moving/moving_builder.hpp"
 #include "core/surface/moving/surface_history.hpp"
 #include "core/surface/time_direction.hpp"
 

@@ -4,7 +4,7 @@
 #include "core/base/clock.hpp"
 #include "core/base/result.hpp"
 #include "core/base/work_done.hpp"
-#include "core/surface/keyed_mesh.hpp"
+#include "core/surface/quad_complex.hpp"
 #include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface_statistics.hpp"
 

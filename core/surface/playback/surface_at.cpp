@@ -4,13 +4,22 @@
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/growing_mesh.hpp"
 #include "core/surface/playback/played_surface.hpp"
-#include "core/surface/playback/surface_age.hpp"
+#include "core/surface/surface.hpp"
 #include "core/surface/time_direction.hpp"
-#include "core/surface/vertex_times.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace wakesurf::core {
+
+bool moves(const SurfaceParameters& p) {
+    return p.kind != SurfaceKind::Stream && p.from != p.to;
+}
+
+double age_at(const SurfaceParameters& p, std::optional<double> time) {
+    const double most = time_span(p);
+    return time ? std::clamp(time_sign(p) * (*time - p.from), 0.0, most) : most;
+}
 
 namespace {
 

@@ -1,11 +1,12 @@
-// A surface computed once and whole, as it is at a time of a clock: what is downloaded and printed. By the
-// same code as what is shown then, without what live surfaces keep between two times.
+// A surface at a time of a clock, computed once and whole: what is downloaded and printed. By the same code as
+// what is shown then, without what live surfaces keep between two times.
 #pragma once
 
 #include "core/base/clock.hpp"
 #include "core/base/work_done.hpp"
 #include "core/surface/quad_complex.hpp"
 #include "core/surface/request/surface_plan.hpp"
+#include "core/surface/surface_parameters.hpp"
 #include "core/surface/surface_statistics.hpp"
 
 #include <optional>
@@ -13,6 +14,12 @@
 #include <vector>
 
 namespace wakesurf::core {
+
+/// True of surfaces that differ from time to time of a clock.
+bool moves(const SurfaceParameters& parameters);
+
+/// Returns the age of a surface, from its (first) release, at a time of the clock, clamped to the times of the surface; at its end without a time.
+double age_at(const SurfaceParameters& parameters, std::optional<double> time);
 
 /// The surface at one time.
 struct SurfaceAt {

@@ -1,7 +1,6 @@
 #include "core/surface/suggestion/rake_choice.hpp"
 
-#include "core/surface/suggestion/body_search.hpp"
-#include "core/surface/suggestion/line_search.hpp"
+#include "core/surface/suggestion/rake_search.hpp"
 
 #include <algorithm>
 #include <array>
@@ -42,7 +41,7 @@ constexpr double rises = 0.2;
 // Parts of the narrower side across a vortex: how far off its core a rake along it stands, and how far a
 // sheet is rolled up round it.
 constexpr double off_core = 0.08, rolled = 0.4;
-constexpr int looks = 64; ///< along a line, for where it is in fluid
+constexpr int line_samples = 64; ///< along a line, for where it is in fluid
 constexpr double sweep_of_body = 1.0, sweep_of_domain = 0.25;
 
 double middle(const Box& box, int axis) {
@@ -66,18 +65,18 @@ line_in_fluid(const Flow& flow, const Vec3& at, int axis, double low, double hig
     high = inside(domain, axis, high);
     const auto place = [&](int i) {
         Vec3 p = at;
-        p[axis] = low + (high - low) * i / looks;
+        p[axis] = low + (high - low) * i / line_samples;
         return p;
     };
     std::pair<int, int> longest{0, -1};
-    for (int i = 0; i <= looks; ++i) {
+    for (int i = 0; i <= line_samples; ++i) {
         const int first = i;
-        while (i <= looks && flow.status(place(i)) == PointStatus::Inside)
+        while (i <= line_samples && flow.status(place(i)) == PointStatus::Inside)
             ++i;
         if (i - 1 - first > longest.second - longest.first)
             longest = {first, i - 1};
     }
-    if (longest.second - longest.first < looks / 8)
+    if (longest.second - longest.first < line_samples / 8)
         return std::nullopt;
     return std::array{place(longest.first), place(longest.second)};
 }
@@ -135,8 +134,8 @@ double speed_ahead(const FlowSurvey& survey, const Box& body) {
 /// A vortex is fastest round its core.
 double fastest_along(const FlowSurvey& survey, const std::array<Vec3, 2>& line) {
     double most = 0.0;
-    for (int i = 0; i <= looks; ++i) {
-        const Vec3 at = line[0] + (line[1] - line[0]) * (double(i) / looks);
+    for (int i = 0; i <= line_samples; ++i) {
+        const Vec3 at = line[0] + (line[1] - line[0]) * (double(i) / line_samples);
         const auto box = survey.lattice.index(survey.lattice.box_of(at));
         most = std::max(most, glm::length(survey.velocity[box]));
     }
@@ -146,15 +145,15 @@ double fastest_along(const FlowSurvey& survey, const std::array<Vec3, 2>& line) 
 /// Speed across a line, in the mean along it: what a rake there sweeps a surface with.
 double speed_across(const FlowSurvey& survey, const Vec3& at, int axis, double half) {
     double sum = 0.0;
-    for (int i = 0; i <= looks; ++i) {
+    for (int i = 0; i <= line_samples; ++i) {
         Vec3 place = at;
         place[axis] =
-            inside(survey.lattice.domain, axis, at[axis] + half * (2.0 * i / looks - 1.0));
+            inside(survey.lattice.domain, axis, at[axis] + half * (2.0 * i / line_samples - 1.0));
         Vec3 across = survey.velocity[survey.lattice.index(survey.lattice.box_of(place))];
         across[axis] = 0.0;
         sum += glm::length(across);
     }
-    return sum / (looks + 1);
+    return sum / (line_samples + 1);
 }
 
 /// Returns a stretch of a line along an axis, widened to where the flow turns too.

@@ -1,4 +1,4 @@
-#include "core/surface/carried_distance.hpp"
+#include "core/surface/carried_error.hpp"
 
 #include <gtest/gtest.h>
 

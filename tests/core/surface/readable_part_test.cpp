@@ -1,7 +1,7 @@
 // What becomes of a surface when a time-step in the middle of its series cannot be read.
 #include "core/field/stored_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
-#include "core/surface/vertex_times.hpp"
+#include "core/surface/surface.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/value_of.hpp"
 

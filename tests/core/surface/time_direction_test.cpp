@@ -1,8 +1,8 @@
 #include "core/field/stored_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/request/surface_values.hpp"
+#include "core/surface/surface.hpp"
 #include "core/surface/time_direction.hpp"
-#include "core/surface/vertex_times.hpp"
 #include "tests/support/sampled_source.hpp"
 
 #include <gtest/gtest.h>

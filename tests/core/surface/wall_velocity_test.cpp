@@ -1,7 +1,6 @@
 // The flow along a wall: against potential flow past a cylinder and a sphere, above a floor that holds the fluid, and round solid nodes.
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/obstacle_surface.hpp"
-#include "core/surface/wall_velocity.hpp"
 #include "tests/support/meshed_field.hpp"
 #include "tests/support/meshed_source.hpp"
 #include "tests/support/sampled_source.hpp"

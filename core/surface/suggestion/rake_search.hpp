@@ -1,12 +1,20 @@
-// A line across the flow in a domain of any shape: where fluid enters, along the inlet as it is shaped rather than
-// along the domain's box.
+// Where a suggested rake may lie: the body in the flow that is most worth a look, and without one a line across
+// the flow, along the inlet as it is shaped rather than along the domain's box.
 #pragma once
 
+#include "core/dataset/wall_geometry.hpp"
 #include "core/surface/suggestion/flow_survey.hpp"
 
 #include <optional>
 
 namespace wakesurf::core {
+
+/// Returns the box round the most interesting body: of the largest across the flow, the one that the flow
+/// meets first. A body that reaches the side where the flow enters or leaves is the edge of the domain, as
+/// the wall of a channel. A body thinner than some hundredth of the domain is found if `walls` have it, or if
+/// the flow knows that there is an obstacle. REQUIRES: survey.through(). Cost: at most some 2 million
+/// lookups, and a pass over the walls' triangles.
+std::optional<Box> find_body(const Flow& flow, const FlowSurvey& survey, const WallGeometry& walls);
 
 /// A line, all of it in fluid.
 struct FluidLine {

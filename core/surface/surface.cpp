@@ -1,4 +1,4 @@
-#include "core/surface/vertex_times.hpp"
+#include "core/surface/surface.hpp"
 
 namespace wakesurf::core {
 
