@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, memory_uses> names{
     "timeSteps", "meshes",    "builds",  "surfaces", "rings", "histories",
     "downloads", "importers", "records", "messages", "other"};
 
-constexpr std::chrono::milliseconds look_again{50};
+constexpr std::chrono::milliseconds retry_interval{50};
 
 constexpr const char* refusal_hint = "ask for fewer quads or a larger separation, close surfaces "
                                      "that no one is viewing, or start the server "
@@ -43,9 +43,9 @@ std::string_view name_of(MemoryUse use) {
     return names.at(index(use));
 }
 
-struct MemoryAccount::Giver {
-    GiveBack order;
-    std::function<void(std::size_t)> give_back;
+struct MemoryAccount::Holder {
+    ReclaimOrder order;
+    std::function<void(std::size_t)> reclaim;
     std::mutex at_work; ///< held while it is asked
     bool ended = false;
 };
@@ -60,14 +60,15 @@ struct MemoryAccount::State {
     std::array<std::atomic<std::size_t>, memory_uses> by_use{};
     std::atomic<std::size_t> refused{0};
     std::atomic<std::size_t> unseen{0}; ///< bytes taken since the last measurement
-    EventCount given_back;
-    std::mutex asking;                        ///< guards `givers`
-    std::list<std::shared_ptr<Giver>> givers; ///< in their order
+    EventCount released;
+    std::mutex asking;                          ///< guards `holders`
+    std::list<std::shared_ptr<Holder>> holders; ///< in their order
     std::function<std::size_t()> resident;
-    std::atomic<std::uint64_t> looks{0};
+    std::atomic<std::uint64_t> measurements{0};
     /// KiB beyond the shares in the low bits, and above them the number of the measurement that found them.
     std::atomic<std::uint64_t> seen{0};
-    std::atomic<std::size_t> program{0}; ///< bytes beyond the shares at the first look: they stay
+    std::atomic<std::size_t> program{
+        0}; ///< bytes beyond the shares at the first measurement: they stay
 
     static constexpr unsigned kibibyte_bits = 36; // 64 TiB
     static constexpr std::uint64_t most_kibibytes = (std::uint64_t{1} << kibibyte_bits) - 1;
@@ -81,11 +82,11 @@ struct MemoryAccount::State {
 
     /// Several threads may measure at a time, so that a preempted one does not block the others. The result
     /// of the measurement that began last stays.
-    void look() {
+    void measure() {
         if (!resident)
             return;
         unseen = 0;
-        const std::uint64_t number = ++looks;
+        const std::uint64_t number = ++measurements;
         const std::size_t held = resident();
         const std::size_t importers = of(MemoryUse::Importers), all = shares;
         const std::size_t here = all - std::min(all, importers);
@@ -112,11 +113,11 @@ struct MemoryAccount::State {
     /// Sleeps until `more` fits, or the time is over. `stop` notifies as well.
     void sleep(std::size_t more, const std::stop_token& stop, Clock::time_point until) {
         for (;;) {
-            const auto notified = given_back.notifications();
+            const auto notified = released.notifications();
             const auto now = Clock::now();
             if (fits(more) || stop.stop_requested() || now >= until)
                 return;
-            given_back.wait(notified, until - now);
+            released.wait(notified, until - now);
         }
     }
 
@@ -129,7 +130,7 @@ struct MemoryAccount::State {
         const std::size_t more = to - from;
         const std::size_t newly = std::min(more, budget);
         if (unseen.fetch_add(newly) + newly > budget / 256)
-            look();
+            measure();
         const std::size_t wanted = more > SIZE_MAX - leave ? SIZE_MAX : more + leave;
         std::size_t before = shares;
         do {
@@ -142,26 +143,26 @@ struct MemoryAccount::State {
 
     /// Asks others to give memory back until `more` fits.
     bool ask(std::size_t more, bool little = false) {
-        std::vector<std::shared_ptr<Giver>> all;
+        std::vector<std::shared_ptr<Holder>> all;
         {
             const std::lock_guard lock(asking);
-            all.assign(givers.begin(), givers.end());
+            all.assign(holders.begin(), holders.end());
         }
-        for (const auto& giver : all) {
-            look();
+        for (const auto& holder : all) {
+            measure();
             const std::size_t now = used();
             if (fits(more, now))
                 return true;
-            const bool build = giver->order == GiveBack::Builds;
+            const bool build = holder->order == ReclaimOrder::Builds;
             if (build && !little)
                 break;
-            const std::lock_guard one_at_a_time(giver->at_work);
-            if (!giver->ended)
-                giver->give_back(more > SIZE_MAX - now ? SIZE_MAX : more + now - budget);
+            const std::lock_guard one_at_a_time(holder->at_work);
+            if (!holder->ended)
+                holder->reclaim(more > SIZE_MAX - now ? SIZE_MAX : more + now - budget);
             if (build) // it takes a moment to end
                 break;
         }
-        look();
+        measure();
         return fits(more);
     }
 };
@@ -217,7 +218,7 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes,
         ++state_->refused;
         return false;
     }
-    const std::stop_callback wake(stop, [this] { state_->given_back.notify_all(); });
+    const std::stop_callback wake(stop, [this] { state_->released.notify_all(); });
     for (;;) {
         state_->ask(more, leave == 0 && bytes <= small_of(state_->budget));
         if (grow_within_free(bytes, leave))
@@ -227,8 +228,8 @@ bool MemoryAccount::Share::grow_to(std::size_t bytes,
             ++state_->refused;
             return false;
         }
-        // Asked again now and then: others may have come to hold something that can be given back.
-        state_->sleep(more, stop, std::min(end, now + look_again));
+        // Asked again now and then: others may have come to hold something that can be reclaimed.
+        state_->sleep(more, stop, std::min(end, now + retry_interval));
     }
 }
 
@@ -241,7 +242,7 @@ void MemoryAccount::Share::set(std::size_t bytes) {
     if (state_) {
         state_->change(use_, bytes_, bytes);
         if (bytes < bytes_)
-            state_->given_back.notify_all();
+            state_->released.notify_all();
     }
     bytes_ = bytes;
 }
@@ -258,12 +259,12 @@ void MemoryAccount::Share::join(Share&& other) {
 
 void MemoryAccount::watch(std::function<std::size_t()> resident) const {
     state_->resident = std::move(resident);
-    state_->look();
+    state_->measure();
     state_->program = used(MemoryUse::Other);
 }
 
-void MemoryAccount::look() const {
-    state_->look();
+void MemoryAccount::measure() const {
+    state_->measure();
 }
 
 MemoryAccount::Share MemoryAccount::open(MemoryUse use) const {
@@ -271,24 +272,24 @@ MemoryAccount::Share MemoryAccount::open(MemoryUse use) const {
 }
 
 std::shared_ptr<void>
-MemoryAccount::on_need(GiveBack order, std::function<void(std::size_t wanted)> give_back) const {
-    auto giver = std::make_shared<Giver>();
-    giver->order = order;
-    giver->give_back = std::move(give_back);
+MemoryAccount::on_need(ReclaimOrder order, std::function<void(std::size_t wanted)> reclaim) const {
+    auto holder = std::make_shared<Holder>();
+    holder->order = order;
+    holder->reclaim = std::move(reclaim);
     {
         const std::lock_guard lock(state_->asking);
-        const auto later = std::find_if(state_->givers.begin(), state_->givers.end(),
+        const auto later = std::find_if(state_->holders.begin(), state_->holders.end(),
                                         [&](const auto& each) { return each->order > order; });
-        state_->givers.insert(later, giver);
+        state_->holders.insert(later, holder);
     }
-    return {giver.get(), [giver, state = std::weak_ptr(state_)](Giver*) {
+    return {holder.get(), [holder, state = std::weak_ptr(state_)](Holder*) {
                 {
-                    const std::lock_guard wait(giver->at_work);
-                    giver->ended = true;
+                    const std::lock_guard wait(holder->at_work);
+                    holder->ended = true;
                 }
                 if (const auto there = state.lock()) {
                     const std::lock_guard lock(there->asking);
-                    there->givers.remove(giver);
+                    there->holders.remove(holder);
                 }
             }};
 }
@@ -319,7 +320,7 @@ void MemoryAccount::make_room(std::size_t bytes) const {
 }
 
 Error MemoryAccount::refusal(std::string_view what, std::size_t bytes) const {
-    const std::size_t kept = bytes > small() ? kept_for_small() : 0;
+    const std::size_t kept = bytes > small() ? reserved_for_small() : 0;
     const std::size_t for_it = free() - std::min(free(), kept);
     return {Error::Code::OverLimit,
             std::string(what) + " needs " + mebibytes(bytes) + " of memory, but of the " +

@@ -1,5 +1,5 @@
 // The one account of a process's memory: code that takes much opens a share and grows it before it allocates.
-// If it does not fit, holders of reproducible data are asked to release some, in the order of `GiveBack`, or
+// If it does not fit, holders of reproducible data are asked to release some, in the order of `ReclaimOrder`, or
 // it is refused.
 #pragma once
 
@@ -35,7 +35,7 @@ inline constexpr std::size_t memory_uses = 11;
 std::string_view name_of(MemoryUse use);
 
 /// Orders the holders that are asked to release memory: the cheapest to reproduce comes first.
-enum class GiveBack {
+enum class ReclaimOrder {
     SpareHeap, ///< what the allocator keeps of memory that was freed
     Downloads, ///< finished files, cached for the next request
     Histories, ///< checkpoints that are not being played
@@ -49,7 +49,7 @@ enum class GiveBack {
 /// The account. Thread-safe; a Share is for one thread at a time. Copies are the same account.
 class MemoryAccount {
     struct State;
-    struct Giver;
+    struct Holder;
 
   public:
     /// @param budget  bytes of all shares together
@@ -62,15 +62,15 @@ class MemoryAccount {
     ///                  a time
     void watch(std::function<std::size_t()> resident) const;
 
-    /// Looks now.
-    void look() const;
+    /// Measures now.
+    void measure() const;
 
     /// Returns the part of the budget reserved for small work: a share that grows beyond small() leaves that
     /// much free, so that small work can run beside work that takes all there is.
     std::size_t small() const { return small_of(budget()); }
 
     /// Returns the bytes that large work leaves to small work.
-    std::size_t kept_for_small() const { return budget() / 8; }
+    std::size_t reserved_for_small() const { return budget() / 8; }
 
     /// A part of the account, from open() until its end.
     class Share {
@@ -81,11 +81,11 @@ class MemoryAccount {
         Share& operator=(Share&& other) noexcept;
 
         /// Returns false, and leaves the share as it was, if it does not fit even after others were asked to
-        /// give memory back. It does not wait. Cost where it fits: 50 ns.
+        /// release memory. It does not wait. Cost where it fits: 50 ns.
         bool grow_to(std::size_t bytes);
 
         /// Tries like `grow_to`, but waits up to `patience`. A share up to small() may end large builds. Do
-        /// not call it on a thread that gives memory back.
+        /// not call it on a thread that reclaims memory.
         /// @param leave  so many bytes stay free
         bool grow_to(std::size_t bytes,
                      const std::stop_token& stop,
@@ -120,12 +120,12 @@ class MemoryAccount {
     /// A share without memory yet, which counts as `use`.
     Share open(MemoryUse use) const;
 
-    /// `give_back` is called with how many bytes are wanted, on the thread that wants them, and not from two
+    /// `reclaim` is called with how many bytes are wanted, on the thread that wants them, and not from two
     /// threads at once. Other calls of the account do not wait for it. It shrinks its shares at once, or sees
     /// to it on another thread, and must not grow any. Until the ticket is dropped, which waits for a call
     /// under way.
     [[nodiscard]] std::shared_ptr<void>
-    on_need(GiveBack order, std::function<void(std::size_t wanted)> give_back) const;
+    on_need(ReclaimOrder order, std::function<void(std::size_t wanted)> reclaim) const;
 
     /// Bytes there may be in all.
     std::size_t budget() const;

@@ -68,11 +68,11 @@ std::size_t WorkMemory::ahead_of(std::size_t bytes) const {
 }
 
 std::size_t WorkMemory::left_beside(std::size_t bytes) const {
-    return bytes > account_.small() ? account_.kept_for_small() : 0;
+    return bytes > account_.small() ? account_.reserved_for_small() : 0;
 }
 
 void WorkMemory::give_way_from_now_on() {
-    ticket_ = account_.on_need(GiveBack::Builds, [this](std::size_t) {
+    ticket_ = account_.on_need(ReclaimOrder::Builds, [this](std::size_t) {
         gives_way_ = true;
         end_.request_stop();
     });

@@ -2,7 +2,7 @@
 
 #include "core/base/blocking_wait.hpp"
 #include "core/base/event_count.hpp"
-#include "core/dataset/retired_slots.hpp"
+#include "core/dataset/brick_table.hpp"
 #include "core/dataset/slab.hpp"
 
 #include <algorithm>
@@ -29,8 +29,8 @@ constexpr std::size_t most_tables = 12;
 // Keeps 1/8 of the account free for others.
 constexpr std::size_t left_free = 8;
 
-// Rounds of misses: a few intervals of a surface that is played.
-constexpr BrickTable::Age lately = 8;
+// In rounds of misses: a few intervals of a surface that is played.
+constexpr BrickTable::Age recent_rounds = 8;
 
 // Wide loads of the last row go beyond it.
 constexpr std::size_t padding = 64;
@@ -72,7 +72,7 @@ struct BrickCache::State {
         std::shared_ptr<BrickTable> table;
         std::size_t bricks = 0; ///< in memory or on their way
         std::size_t loading = 0;
-        std::uint64_t asked = 0;
+        std::uint64_t last_use = 0; ///< by the use clock; 0: never
     };
 
     State(const BrickSource& its_source, Options options)
@@ -108,16 +108,16 @@ struct BrickCache::State {
     std::atomic<BrickTable::Age> age{1};
     std::atomic<std::uint64_t> reads{0}, waits{0}, rounds{0};
     std::stop_source closing;
-    std::shared_ptr<void> asked; ///< by others, for memory
+    std::shared_ptr<void> reclaim_registration;
     std::function<void()> listener;
-    std::atomic<bool> news{false}; ///< for the listener
+    std::atomic<bool> counts_changed{false}; ///< since the listener was called
 
-    void tell() {
-        if (listener && news.exchange(false))
+    void notify_listener() {
+        if (listener && counts_changed.exchange(false))
             listener();
     }
 
-    std::uint64_t asks = 0;
+    std::uint64_t use_clock = 0;
 
     Step& step_of(const StepName& name) {
         Step& step = steps[name];
@@ -134,24 +134,25 @@ struct BrickCache::State {
         const auto held = [](const Step& step) { return step.table.use_count() > 1; };
         const auto erase_empty = [&] {
             std::erase_if(steps, [&](const auto& each) {
-                return each.second.bricks == 0 && each.second.asked != 0 && !held(each.second);
+                return each.second.bricks == 0 && each.second.last_use != 0 && !held(each.second);
             });
         };
         erase_empty();
         while (steps.size() > most_tables) {
             const BrickTable* oldest = nullptr;
-            std::uint64_t earliest = asks + 1;
+            std::uint64_t earliest = use_clock + 1;
             for (const auto& [index, step] : steps)
-                if (step.asked != 0 && step.asked < earliest && step.loading == 0 && !held(step)) {
+                if (step.last_use != 0 && step.last_use < earliest && step.loading == 0 &&
+                    !held(step)) {
                     oldest = step.table.get();
-                    earliest = step.asked;
+                    earliest = step.last_use;
                 }
             if (oldest == nullptr)
                 return;
             retired.next_epoch();
             for (std::size_t i = 0; i < slots.size(); ++i)
                 if (slots[i].table == oldest)
-                    leave(i);
+                    remove(i);
             retired.reclaim(free);
             erase_empty();
         }
@@ -160,11 +161,11 @@ struct BrickCache::State {
     static StepName name_of(const BrickTable& table) { return {table.step(), table.field()}; }
 
     /// Removes the brick; its memory is free once no reader can still see it.
-    void leave(std::size_t index) {
+    void remove(std::size_t index) {
         Slot& slot = slots[index];
         slot.table->put(slot.brick, nullptr);
         --steps.at(name_of(*slot.table)).bricks;
-        news = true;
+        counts_changed = true;
         slot.table = nullptr;
         retired.retire(index);
     }
@@ -196,10 +197,10 @@ struct BrickCache::State {
     }
 
     /// Releases unread memory, the slab that was taken last first. Returns the bytes.
-    std::size_t give_back(std::size_t wanted) {
-        std::size_t given = 0;
+    std::size_t reclaim(std::size_t wanted) {
+        std::size_t reclaimed = 0;
         const std::scoped_lock lock(mutex);
-        while (given < wanted && slots.size() >= fewest_slots + slots_a_slab) {
+        while (reclaimed < wanted && slots.size() >= fewest_slots + slots_a_slab) {
             const std::size_t its = slabs.back().bytes().size() / bytes_a_slot;
             const std::size_t first = slots.size() - its;
             const auto of_slab = [&](std::size_t slot) { return slot >= first; };
@@ -210,18 +211,18 @@ struct BrickCache::State {
             retired.next_epoch();
             for (std::size_t i = first; i < slots.size(); ++i)
                 if (slots[i].table != nullptr)
-                    leave(i);
+                    remove(i);
             retired.reclaim(free);
             std::erase_if(free, of_slab);
             slots.resize(first);
             slabs.pop_back();
-            given += its * bytes_a_slot;
+            reclaimed += its * bytes_a_slot;
             share.shrink_to(bytes());
         }
-        return given;
+        return reclaimed;
     }
 
-    /// Makes room of the bricks not used for longest. @param keep  those used since then stay, where given
+    /// Makes room of the bricks not used for longest. @param keep  those used since then stay, where reclaimed
     void evict(std::size_t count, std::optional<BrickTable::Age> keep) {
         const BrickTable::Age now = age;
         const auto idle = [&](std::size_t i) {
@@ -232,12 +233,12 @@ struct BrickCache::State {
             if (slots[i].table && !slots[i].loading)
                 if (!keep || idle(i) > static_cast<BrickTable::Age>(now - *keep))
                     candidates.emplace_back(idle(i), i);
-        const std::size_t some = std::min(count, candidates.size());
-        std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(some),
+        const std::size_t most = std::min(count, candidates.size());
+        std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(most),
                          candidates.end(), std::greater<>());
         retired.next_epoch();
-        for (std::size_t i = 0; i < some; ++i)
-            leave(candidates[i].second);
+        for (std::size_t i = 0; i < most; ++i)
+            remove(candidates[i].second);
         retired.reclaim(free);
     }
 
@@ -276,10 +277,10 @@ struct BrickCache::State {
         for (const BrickName& name : wanted) {
             Slot& slot = slots[free.back()];
             Step& step = step_of({name.step, name.field});
-            step.asked = ++asks;
+            step.last_use = ++use_clock;
             ++step.bricks;
             ++step.loading;
-            news = true;
+            counts_changed = true;
             slot.table = step.table.get();
             slot.brick = name.brick;
             slot.loading = true;
@@ -308,15 +309,15 @@ struct BrickCache::State {
                     });
     }
 
-    /// Takes no room from bricks used lately.
+    /// Takes no room from bricks used in recent rounds.
     void ahead(const std::shared_ptr<State>& self, std::span<const BrickName> bricks) {
         Batch batch;
         {
             const std::scoped_lock lock(mutex);
-            batch = start(bricks, static_cast<BrickTable::Age>(age - lately));
+            batch = start(bricks, static_cast<BrickTable::Age>(age - recent_rounds));
         }
         read(self, batch);
-        tell();
+        notify_listener();
     }
 
     void finish(const Begun& of, Result<void> outcome) {
@@ -327,7 +328,7 @@ struct BrickCache::State {
             slot.loading = false;
             Step& step = steps.at(name_of(*slot.table));
             --step.loading;
-            news = true;
+            counts_changed = true;
             of.load->done = true;
             if (outcome) {
                 slot.table->use(slot.brick, age);
@@ -340,22 +341,22 @@ struct BrickCache::State {
             }
         }
         changed.notify_all();
-        tell();
+        notify_listener();
     }
 };
 
 BrickCache::BrickCache(const BrickSource& source, Options options)
     : state_(std::make_shared<State>(source, std::move(options))) {
     if (state_->account)
-        state_->asked = state_->account->on_need(GiveBack::TimeSteps,
-                                                 [state = state_.get()](std::size_t bytes) {
-                                                     state->give_back(bytes);
-                                                     state->tell();
-                                                 });
+        state_->reclaim_registration = state_->account->on_need(
+            ReclaimOrder::TimeSteps, [state = state_.get()](std::size_t bytes) {
+                state->reclaim(bytes);
+                state->notify_listener();
+            });
 }
 
 BrickCache::~BrickCache() {
-    state_->asked.reset();
+    state_->reclaim_registration.reset();
     state_->closing.request_stop();
     std::unique_lock lock(state_->mutex);
     for (auto seen = state_->changed.notifications(); !state_->loads.empty();
@@ -372,10 +373,10 @@ std::shared_ptr<const BrickTable> BrickCache::table(std::size_t step, std::size_
     {
         const std::scoped_lock lock(state_->mutex);
         State::Step& found = state_->step_of({step, field});
-        found.asked = ++state_->asks;
+        found.last_use = ++state_->use_clock;
         table = found.table;
     }
-    state_->tell(); // another may have made room for it
+    state_->notify_listener(); // another may have made room for it
     return table;
 }
 
@@ -425,7 +426,7 @@ Result<void> BrickCache::fetch(std::span<const BrickName> bricks,
     const std::stop_callback wake(stop, [&] { state.changed.notify_all(); });
     ++state.age;
     ++state.waits;
-    bool asked = false;
+    bool requested = false;
     std::vector<std::shared_ptr<State::Load>> waiting;
     for (bool all = false; !all;) {
         State::Batch batch;
@@ -437,9 +438,9 @@ Result<void> BrickCache::fetch(std::span<const BrickName> bricks,
         waiting.insert(waiting.end(), batch.waiting.begin(), batch.waiting.end());
         all = batch.all;
         const bool none = batch.reads.empty();
-        state.rounds += none || std::exchange(asked, true) ? 0 : 1;
+        state.rounds += none || std::exchange(requested, true) ? 0 : 1;
         state.read(state_, batch);
-        state.tell();
+        state.notify_listener();
         if (!all && none && !stop.stop_requested())
             state.changed.wait(seen);
         if (stop.stop_requested())

@@ -101,7 +101,7 @@ class BrickCache {
                        const std::stop_token& stop,
                        std::span<const BrickName> soon = {});
 
-    /// Asks for what is not there yet, as far as there is room that no brick used lately has, and returns at
+    /// Asks for what is not there yet, as far as there is room that no recently used brick has, and returns at
     /// once.
     void prefetch(std::span<const BrickName> bricks);
 

@@ -1,14 +1,58 @@
-// The bricks of a time-step that are in memory, and their addresses: filled by the brick cache, read by
-// samplers. See step_nodes.hpp.
+// The bricks of a time-step that are in memory, their addresses, and the slots that wait for their last reader:
+// filled by the brick cache, read by samplers. See step_nodes.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <new>
+#include <set>
+#include <vector>
 
 namespace wakesurf::core {
+
+/// Keeps slots until no reading can see them. It is not thread safe.
+class RetiredSlots {
+  public:
+    using Epoch = std::uint64_t;
+
+    /// Returns what ends it.
+    Epoch begin_reading() { return *readings_.insert(epoch_); }
+
+    void end_reading(Epoch began) { readings_.erase(readings_.find(began)); }
+
+    bool being_read() const { return !readings_.empty(); }
+
+    /// Begins an epoch: what is retired from now on is not seen by readings that begin later.
+    void next_epoch() { ++epoch_; }
+
+    void retire(std::size_t slot) { retired_.push_back({epoch_, slot}); }
+
+    /// Appends the slots that no reading can see any more.
+    void reclaim(std::vector<std::size_t>& free) {
+        const Epoch oldest =
+            readings_.empty() ? std::numeric_limits<Epoch>::max() : *readings_.begin();
+        std::erase_if(retired_, [&](const Retired& each) {
+            if (each.epoch > oldest)
+                return false;
+            free.push_back(each.slot);
+            return true;
+        });
+    }
+
+  private:
+    struct Retired {
+        Epoch epoch;
+        std::size_t slot;
+    };
+
+    Epoch epoch_ = 0;
+    std::multiset<Epoch> readings_;
+    std::vector<Retired> retired_;
+};
 
 /// The bricks of a field at one time-step: a pointer each, null while it is not in memory, and the time of
 /// its last use. It costs 10 bytes a brick, of which only the touched pages are resident. Thread safety: the

@@ -6,18 +6,18 @@
 namespace wakesurf::core {
 
 ScalarSteps::Values ScalarSteps::find(std::size_t scalar, std::size_t step) {
-    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) {
+    const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& each) {
         return each.scalar == scalar && each.step == step;
     });
-    if (found == kept_.end())
+    if (found == entries_.end())
         return nullptr;
-    kept_.splice(kept_.begin(), kept_, found);
+    entries_.splice(entries_.begin(), entries_, found);
     return found->values;
 }
 
 void ScalarSteps::make_room() {
-    while (!kept_.empty() && kept_.size() >= most_)
-        kept_.pop_back();
+    while (!entries_.empty() && entries_.size() >= most_)
+        entries_.pop_back();
 }
 
 Result<ScalarSteps::Values>
@@ -36,7 +36,7 @@ ScalarSteps::get(std::size_t scalar, std::size_t step, const std::function<Resul
     if (auto others = find(scalar, step))
         return others;
     make_room();
-    kept_.push_front({scalar, step, values});
+    entries_.push_front({scalar, step, values});
     return values;
 }
 

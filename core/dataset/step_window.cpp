@@ -19,13 +19,13 @@ std::shared_ptr<const TimeStep> StepWindow::lend(const std::shared_ptr<StepWindo
             step.reset();
             // Out of the capture, which the window's own weak_ptr keeps.
             const auto window = std::move(keep);
-            window->give_back(index);
+            window->put_back(index);
         });
     entry.lease = lease;
     return lease;
 }
 
-void StepWindow::give_back(std::size_t index) {
+void StepWindow::put_back(std::size_t index) {
     bool room_wanted = false;
     {
         const std::scoped_lock lock(mutex);
@@ -75,7 +75,7 @@ void StepWindow::count() {
 }
 
 /// Removes unused steps beyond the smallest window, and returns them to be freed without the lock.
-std::vector<std::shared_ptr<const TimeStep>> StepWindow::give_back_spare(std::size_t bytes) {
+std::vector<std::shared_ptr<const TimeStep>> StepWindow::reclaim_spare(std::size_t bytes) {
     std::vector<std::shared_ptr<const TimeStep>> freed;
     while (used > smallest && freed.size() * step_bytes < bytes) {
         const auto out = victim(false);

@@ -68,7 +68,7 @@ struct StepWindow {
 
     std::shared_ptr<const TimeStep> lend(const std::shared_ptr<StepWindow>& self,
                                          std::size_t index);
-    void give_back(std::size_t index);
+    void put_back(std::size_t index);
     void demand(std::size_t index);
     void withdraw(std::size_t index);
 
@@ -85,7 +85,7 @@ struct StepWindow {
 
     bool make_room(std::size_t leave);
     void count();
-    std::vector<std::shared_ptr<const TimeStep>> give_back_spare(std::size_t bytes);
+    std::vector<std::shared_ptr<const TimeStep>> reclaim_spare(std::size_t bytes);
     bool may_be_deadlocked() const;
     std::optional<std::size_t> victim(bool spare_window) const;
     std::shared_ptr<const TimeStep> evict(std::size_t index);

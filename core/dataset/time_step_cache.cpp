@@ -23,13 +23,13 @@ using Clock = std::chrono::steady_clock;
 
 // The poll interval of a caller that waits for room; after so many polls without a release it gives up. It is
 // short when the callers that wait may between them hold everything (a deadlock).
-constexpr auto look = 100ms;
-constexpr int looks_when_deadlocked = 3;
-constexpr int looks_when_merely_full = 300;
+constexpr auto poll_interval = 100ms;
+constexpr int polls_when_deadlocked = 3;
+constexpr int polls_when_merely_full = 300;
 
 // After so many polls, reading is a matter of a slow server, and other jobs run meanwhile. Not at once, and not
 // while waiting for room: they would hold time-steps too.
-constexpr int looks_when_slow = 10;
+constexpr int polls_when_slow = 10;
 
 constexpr std::size_t fewest_steps = 4;
 
@@ -38,17 +38,17 @@ class Patience {
   public:
     bool ends(bool full, bool maybe_deadlocked, std::uint64_t progress) {
         if (!full || progress != progress_)
-            full_looks_ = deadlocked_looks_ = 0;
+            full_polls_ = deadlocked_polls_ = 0;
         progress_ = progress;
-        full_looks_ += full ? 1 : 0;
-        deadlocked_looks_ = maybe_deadlocked ? deadlocked_looks_ + 1 : 0;
-        return full_looks_ >= looks_when_merely_full || deadlocked_looks_ >= looks_when_deadlocked;
+        full_polls_ += full ? 1 : 0;
+        deadlocked_polls_ = maybe_deadlocked ? deadlocked_polls_ + 1 : 0;
+        return full_polls_ >= polls_when_merely_full || deadlocked_polls_ >= polls_when_deadlocked;
     }
 
   private:
     std::uint64_t progress_ = 0;
-    int full_looks_ = 0;
-    int deadlocked_looks_ = 0;
+    int full_polls_ = 0;
+    int deadlocked_polls_ = 0;
 };
 
 } // namespace
@@ -113,7 +113,7 @@ void TimeStepCache::State::load_until(const std::stop_token& stop) {
                 lock.lock();
                 // The loop ends by time however often others notify, because asking them costs them
                 // something.
-                const auto end = Clock::now() + look;
+                const auto end = Clock::now() + poll_interval;
                 for (seen = window->work.notifications();
                      !stop.stop_requested() && !picked() && Clock::now() < end;
                      seen = window->work.notifications())
@@ -177,12 +177,12 @@ TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Optio
         window.share = options.account->open(MemoryUse::TimeSteps);
         window.share.set(window.smallest * window.step_bytes);
         state_->asked = options.account->on_need(
-            GiveBack::TimeSteps, [window = state_->window, source = state_->source,
-                                  state = state_.get()](std::size_t bytes) {
+            ReclaimOrder::TimeSteps, [window = state_->window, source = state_->source,
+                                      state = state_.get()](std::size_t bytes) {
                 std::vector<std::shared_ptr<const TimeStep>> freed;
                 {
                     const std::scoped_lock lock(window->mutex);
-                    freed = window->give_back_spare(bytes);
+                    freed = window->reclaim_spare(bytes);
                 }
                 if (freed.empty())
                     return;
@@ -282,7 +282,7 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
     Patience patience;
     bool given_up = false;
     const auto waited = [&] {
-        const auto end = Clock::now() + look;
+        const auto end = Clock::now() + poll_interval;
         for (auto seen = window.changed.notifications();
              !done() && !stop.stop_requested() && Clock::now() < end;
              seen = window.changed.notifications())
@@ -290,8 +290,8 @@ TimeStepCache::acquire(std::size_t index, std::stop_token stop, std::size_t held
         return done();
     };
     std::optional<BlockingWait> slow;
-    for (int looks = 1; !waited() && !stop.stop_requested() && !given_up; ++looks) {
-        if (looks >= looks_when_slow && !slow && window.lent < window.room())
+    for (int polls = 1; !waited() && !stop.stop_requested() && !given_up; ++polls) {
+        if (polls >= polls_when_slow && !slow && window.lent < window.room())
             slow.emplace();
         given_up = patience.ends(window.lent >= window.room(), window.may_be_deadlocked(),
                                  window.progress);

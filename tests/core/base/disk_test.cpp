@@ -1,5 +1,4 @@
 #include "core/base/disk.hpp"
-#include "core/base/folder_disk.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

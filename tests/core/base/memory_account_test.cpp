@@ -22,9 +22,9 @@ constexpr auto most = std::numeric_limits<std::size_t>::max();
 class Kept {
   public:
     Kept(const MemoryAccount& account,
-         GiveBack order,
+         ReclaimOrder order,
          std::size_t bytes,
-         std::vector<GiveBack>& asked)
+         std::vector<ReclaimOrder>& asked)
         : share_(account.open(MemoryUse::Downloads)) {
         share_.set(bytes);
         ticket_ = account.on_need(order, [this, order, &asked](std::size_t) {
@@ -123,26 +123,27 @@ TEST(MemoryAccount, WhatHasBeenTakenAlreadyCountsEvenWhereItDoesNotFit) {
 
 TEST(MemoryAccount, AsksBackInItsOrderAndNoMoreThanIsNeeded) {
     const MemoryAccount account(10 * mebi);
-    std::vector<GiveBack> asked;
-    const Kept surfaces(account, GiveBack::Surfaces, 2 * mebi, asked);
-    const Kept downloads(account, GiveBack::Downloads, 2 * mebi, asked);
-    const Kept histories(account, GiveBack::Histories, 2 * mebi, asked);
-    const Kept steps(account, GiveBack::TimeSteps, 2 * mebi, asked);
-    const Kept heap(account, GiveBack::SpareHeap, 2 * mebi, asked);
+    std::vector<ReclaimOrder> asked;
+    const Kept surfaces(account, ReclaimOrder::Surfaces, 2 * mebi, asked);
+    const Kept downloads(account, ReclaimOrder::Downloads, 2 * mebi, asked);
+    const Kept histories(account, ReclaimOrder::Histories, 2 * mebi, asked);
+    const Kept steps(account, ReclaimOrder::TimeSteps, 2 * mebi, asked);
+    const Kept heap(account, ReclaimOrder::SpareHeap, 2 * mebi, asked);
     auto share = account.open(MemoryUse::Builds);
     EXPECT_TRUE(share.grow_to(3 * mebi));
-    EXPECT_EQ(asked, (std::vector{GiveBack::SpareHeap, GiveBack::Downloads}));
+    EXPECT_EQ(asked, (std::vector{ReclaimOrder::SpareHeap, ReclaimOrder::Downloads}));
     asked.clear();
     EXPECT_TRUE(share.grow_to(9 * mebi));
-    EXPECT_EQ(asked, (std::vector{GiveBack::SpareHeap, GiveBack::Downloads, GiveBack::Histories,
-                                  GiveBack::TimeSteps, GiveBack::Surfaces}));
+    EXPECT_EQ(asked, (std::vector{ReclaimOrder::SpareHeap, ReclaimOrder::Downloads,
+                                  ReclaimOrder::Histories, ReclaimOrder::TimeSteps,
+                                  ReclaimOrder::Surfaces}));
     EXPECT_EQ(surfaces.bytes(), 0U);
 }
 
 TEST(MemoryAccount, WithinWhatIsFreeNobodyIsAsked) {
     const MemoryAccount account(10 * mebi);
-    std::vector<GiveBack> asked;
-    const Kept downloads(account, GiveBack::Downloads, 8 * mebi, asked);
+    std::vector<ReclaimOrder> asked;
+    const Kept downloads(account, ReclaimOrder::Downloads, 8 * mebi, asked);
     auto share = account.open(MemoryUse::TimeSteps);
     EXPECT_TRUE(share.grow_within_free(2 * mebi));
     EXPECT_FALSE(share.grow_within_free(3 * mebi));
@@ -159,7 +160,7 @@ TEST(MemoryAccount, SeesWhatTheProcessHoldsBeyondItsShares) {
     EXPECT_EQ(account.used(MemoryUse::Other), 3 * mebi) << "importers are other processes";
     EXPECT_EQ(account.free(), 4 * mebi);
     ASSERT_TRUE(steps.grow_to(5 * mebi));
-    account.look();
+    account.measure();
     EXPECT_EQ(account.used(MemoryUse::Other), 3 * mebi)
         << "what was taken a moment ago is not touched yet, but the program is there";
     resident = 9 * mebi;
@@ -181,7 +182,7 @@ TEST(MemoryAccount, SeesWhatIsHeldWhileAnotherThreadIsSetAsideInItsLook) {
         return seen;
     });
     auto steps = account.open(MemoryUse::TimeSteps);
-    std::jthread set_aside([&] { account.look(); });
+    std::jthread set_aside([&] { account.measure(); });
     while (!is_in)
         std::this_thread::yield();
     resident = 9 * mebi;
@@ -199,8 +200,8 @@ TEST(MemoryAccount, WorkThatNeedsMuchLeavesTheLastPartToWhatNeedsLittle) {
     std::size_t taken = 0;
     while (much.grow(mebi / 4))
         taken += mebi / 4;
-    EXPECT_LE(taken, account.budget() - account.kept_for_small());
-    EXPECT_GE(taken, account.budget() - 2 * account.kept_for_small());
+    EXPECT_LE(taken, account.budget() - account.reserved_for_small());
+    EXPECT_GE(taken, account.budget() - 2 * account.reserved_for_small());
     WorkMemory little(account, none.get_token());
     EXPECT_TRUE(little.grow(account.small() - mebi / 4));
 }
@@ -251,8 +252,8 @@ TEST(MemoryAccount, WorkThatAsksForMoreThanCanBeCountedIsRefused) {
 
 TEST(MemoryAccount, WhoHasEndedIsNotAsked) {
     const MemoryAccount account(mebi);
-    std::vector<GiveBack> asked;
-    { const Kept gone(account, GiveBack::Downloads, mebi, asked); }
+    std::vector<ReclaimOrder> asked;
+    { const Kept gone(account, ReclaimOrder::Downloads, mebi, asked); }
     auto share = account.open(MemoryUse::Builds);
     EXPECT_TRUE(share.grow_to(mebi));
     EXPECT_FALSE(share.grow_to(2 * mebi));
@@ -264,7 +265,7 @@ TEST(MemoryAccount, WhoWaitsGetsWhatAnotherThreadGivesBack) {
     auto held = account.open(MemoryUse::Surfaces);
     ASSERT_TRUE(held.grow_to(10 * mebi));
     std::jthread later;
-    const auto ticket = account.on_need(GiveBack::Surfaces, [&](std::size_t) {
+    const auto ticket = account.on_need(ReclaimOrder::Surfaces, [&](std::size_t) {
         if (!later.joinable())
             later = std::jthread([&] { held.shrink_to(0); });
     });

@@ -63,7 +63,7 @@ TEST(CountedTimeStepCache, WhoWaitsForAStepHasOthersGiveBackMemory) {
     auto kept = account.open(MemoryUse::Downloads);
     ASSERT_TRUE(kept.grow_to(28 * step_bytes));
     const auto ticket =
-        account.on_need(GiveBack::Downloads, [&](std::size_t) { kept.shrink_to(0); });
+        account.on_need(ReclaimOrder::Downloads, [&](std::size_t) { kept.shrink_to(0); });
     std::vector<std::shared_ptr<const TimeStep>> held;
     for (std::size_t i = 0; i < 6; ++i) // two more than there is room for
         held.push_back(*cache.acquire(i));
@@ -76,7 +76,7 @@ TEST(CountedTimeStepCache, WhoWaitsForAStepAsksOthersTenTimesASecondHoweverManyC
     auto kept = account.open(MemoryUse::Builds);
     ASSERT_TRUE(kept.grow_to(28 * step_bytes));
     std::atomic<int> asked{0};
-    const auto ticket = account.on_need(GiveBack::Histories, [&](std::size_t) { ++asked; });
+    const auto ticket = account.on_need(ReclaimOrder::Histories, [&](std::size_t) { ++asked; });
     std::vector<std::shared_ptr<const TimeStep>> held;
     for (std::size_t i = 0; i < 4; ++i)
         held.push_back(*cache.acquire(i));

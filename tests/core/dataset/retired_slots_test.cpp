@@ -1,4 +1,4 @@
-#include "core/dataset/retired_slots.hpp"
+#include "core/dataset/brick_table.hpp"
 
 #include <gtest/gtest.h>
 
