@@ -1,4 +1,5 @@
-// Built-in flows by name: `flow:NAME?k=v,...` without the `flow:`. Sampled exactly, never through a grid.
+// Built-in flows by name: `flow:NAME?k=v,...` without the `flow:`, and the catalogue of them. Sampled exactly,
+// never through a grid.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -6,11 +7,29 @@
 #include "core/field/flow.hpp"
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace wakesurf::core {
+
+/// A parameter with its default.
+struct FlowParameter {
+    std::string_view name;
+    double value;
+};
+
+/// A built-in flow and its domain.
+struct AnalyticEntry {
+    std::string_view name;
+    std::vector<FlowParameter> parameters;
+    Box box;
+    bool steady;
+    std::unique_ptr<Flow> (*make)(std::span<const FlowParameter> p, const Box& box);
+};
+
+const std::vector<AnalyticEntry>& analytic_entries();
 
 std::vector<std::string> analytic_flow_names();
 

@@ -1,7 +1,7 @@
 #include "core/field/cell_sampling.hpp"
 
 #include "core/field/advance_particles.hpp"
-#include "core/field/cells/cell_shares.hpp"
+#include "core/field/cells/cell_geometry.hpp"
 #include "core/field/cells/cell_steps.hpp"
 #include "core/field/trace_curves.hpp"
 

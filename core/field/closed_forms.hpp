@@ -1,16 +1,26 @@
 // Velocity fields with closed forms: truth for tests, and flows to explore without data. Each is continued a
 // little beyond its domain and into its obstacle, as the integrator asks. The tornado is that of Crawfis and
-// Max, Texture Splats for 3D Scalar and Vector Field Visualization, 1993.
+// Max, Texture Splats for 3D Scalar and Vector Field Visualization, 1993. The walls of their obstacles as
+// triangles, for display.
 #pragma once
 
+#include "core/base/box.hpp"
 #include "core/base/vec3.hpp"
-#include "core/field/body_shapes.hpp"
+#include "core/dataset/wall_geometry.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace wakesurf::core {
+
+/// Returns a sphere around the origin. Points lie on the sphere, but for those outside `box`, which are put
+/// on its border; it is closed, so that a body which the border cuts is capped there. Returns nothing for a
+/// radius of 0.
+WallGeometry sphere_wall(double radius, const Box& box);
+
+/// Returns a cylinder around the z axis, all along the box; its points lie as those of sphere_wall().
+WallGeometry cylinder_wall(double radius, const Box& box);
 
 struct UniformFlow {
     static constexpr bool divergence_free = true;

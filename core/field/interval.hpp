@@ -1,12 +1,16 @@
-// The time-steps of an interval between two stored times, kept while particles cross it.
+// The time-steps of an interval between two stored times, held while particles cross it, and what samples them.
 #pragma once
 
 #include "core/base/event_count.hpp"
+#include "core/base/node_shares.hpp"
 #include "core/dataset/missing_bricks.hpp"
 #include "core/dataset/time_step_cache.hpp"
+#include "core/integrate/particles.hpp"
 
+#include <concepts>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <stop_token>
 
 namespace wakesurf::core {
@@ -44,6 +48,28 @@ class Intervals {
     mutable std::mutex mutex_;
     mutable EventCount turn_over_;
     mutable bool turn_taken_ = false;
+};
+
+/// Samples the grid of a series within an interval of its time-steps. `advance` and `trace` return false where
+/// they were stopped, or a brick could not be read. Optional members, each found by `requires`: sample_at,
+/// may_have_wall, may_cross_wall, brought_in.
+template <class S>
+concept IntervalSampling = requires(const S& sampling,
+                                    const Interval& interval,
+                                    const Vec3& position,
+                                    const Particles& particles,
+                                    const AdvanceOptions& advance,
+                                    std::span<Curve> curves,
+                                    const TraceOptions& trace,
+                                    const std::stop_token& stop) {
+    { S::has_smooth } -> std::convertible_to<bool>;
+    { S::steps_in_batches } -> std::convertible_to<bool>;
+    { sampling.status(position) } -> std::same_as<PointStatus>;
+    { sampling.shares(position) } -> std::same_as<NodeShares>;
+    { sampling.obstacle() } -> std::same_as<bool>;
+    { sampling.advance(interval, particles, 0.0, +1, advance, stop) } -> std::same_as<bool>;
+    { sampling.trace(interval, curves, trace, 0.0, stop) } -> std::same_as<bool>;
+    sampling.with_field(interval, false, [](const auto&) {});
 };
 
 } // namespace wakesurf::core

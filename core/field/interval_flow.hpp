@@ -1,5 +1,5 @@
-// A stored field as a flow: time-steps come through the cache, interval by interval. What happens within one
-// is the business of the grid's Sampling.
+// A stored field as a flow: time-steps come through the cache, interval by interval. A Sampling computes what
+// happens within one.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -14,15 +14,15 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <span>
+#include <stop_token>
 #include <vector>
 
 namespace wakesurf::core {
 
-/// @tparam Sampling  what samples the grid of the cache's source; grid_sampling.hpp shows what is asked of
-/// it
-template <class Sampling>
+template <IntervalSampling Sampling>
 class IntervalFlow final : public Flow {
-    static constexpr std::size_t few = std::size_t{4} << 30;
+    static constexpr std::size_t small_data_bytes = std::size_t{4} << 30;
 
   public:
     IntervalFlow(std::shared_ptr<TimeStepCache> cache,
@@ -71,7 +71,7 @@ class IntervalFlow final : public Flow {
         if (!interval)
             return tl::unexpected(interval.error());
         const TraceCost cost{seconds_since(start)};
-        return advance(*interval, curves, options, upstream(curves) ? -infinite : infinite, stop)
+        return advance(*interval, curves, options, upstream(curves) ? -forever : forever, stop)
             .map([&] { return cost; });
     }
 
@@ -99,7 +99,8 @@ class IntervalFlow final : public Flow {
         for (double reached = from; reached != to; from = reached, k += direction) {
             const auto index = static_cast<std::size_t>(k);
             const auto start = clock_->now();
-            const auto interval = intervals_.acquire(index, needs(true, options.smooth), stop);
+            const auto interval =
+                intervals_.acquire(index, steps_needed(true, options.smooth), stop);
             cost.load += seconds_since(start);
             if (!interval)
                 return unreadable(interval.error(), index, direction, stop);
@@ -138,7 +139,8 @@ class IntervalFlow final : public Flow {
         const auto last = std::lower_bound(times.begin(), times.end(), std::max(from, to));
         const auto before = first - times.begin() - (first == times.begin() ? 0 : 1);
         const auto behind = last - times.begin() + (last == times.end() ? 0 : 1);
-        return source_.bytes_per_step() * static_cast<std::size_t>(behind - before) <= few;
+        return source_.bytes_per_step() * static_cast<std::size_t>(behind - before) <=
+               small_data_bytes;
     }
 
     bool has_smooth() const override { return Sampling::has_smooth; }
@@ -166,8 +168,8 @@ class IntervalFlow final : public Flow {
                         std::span<Vec3> velocities,
                         std::stop_token stop,
                         bool smoothly) const override {
-        return by_interval(times, [&](std::span<const std::uint32_t> some) {
-            return sample_interval(positions, times, velocities, some, stop, smoothly);
+        return by_interval(times, [&](std::span<const std::uint32_t> chosen) {
+            return sample_interval(positions, times, velocities, chosen, stop, smoothly);
         });
     }
 
@@ -175,8 +177,8 @@ class IntervalFlow final : public Flow {
                            std::span<const double> times,
                            std::span<std::uint8_t> gap,
                            std::stop_token stop) const override {
-        return by_interval(times, [&](std::span<const std::uint32_t> some) {
-            return mark_gaps_of_interval(positions, times, gap, some, stop);
+        return by_interval(times, [&](std::span<const std::uint32_t> chosen) {
+            return mark_gaps_of_interval(positions, times, gap, chosen, stop);
         });
     }
 
@@ -189,13 +191,13 @@ class IntervalFlow final : public Flow {
         if constexpr (requires { &Sampling::sample_at; }) {
             const std::size_t k = interval_at(time);
             const auto held =
-                intervals_.acquire(k, needs(time > source_.times()[k], smoothly), stop);
+                intervals_.acquire(k, steps_needed(time > source_.times()[k], smoothly), stop);
             if (!held)
                 return tl::unexpected(held.error());
             if (sampling_->sample_at(*held, positions, time, velocities, smoothly, stop))
                 return {};
             if (stop.stop_requested() || (held->missing && held->missing->error()))
-                return outcome(false, *held);
+                return result_of(false, *held);
         }
         const std::vector<double> times(positions.size(), time);
         std::vector<Vec3> exact(positions.size());
@@ -205,13 +207,13 @@ class IntervalFlow final : public Flow {
     }
 
   private:
-    /// Calls `each(chosen)` with the points of every interval in the order of time, so that the window slides
+    /// Calls `use(chosen)` with the points of every interval in the order of time, so that the window slides
     /// once over the data. Empty: all.
-    template <class Each>
-    Result<void> by_interval(std::span<const double> times, const Each& each) const {
+    template <class Use>
+    Result<void> by_interval(std::span<const double> times, const Use& use) const {
         const auto [first, last] = std::minmax_element(times.begin(), times.end());
         if (times.empty() || interval_at(*first) == interval_at(*last)) // a moment: the usual case
-            return each({});
+            return use({});
         std::vector<std::uint32_t> interval(times.size());
         std::transform(times.begin(), times.end(), interval.begin(),
                        [&](double time) { return static_cast<std::uint32_t>(interval_at(time)); });
@@ -223,7 +225,7 @@ class IntervalFlow final : public Flow {
             std::size_t end = begin;
             while (end < order.size() && interval[order[end]] == interval[order[begin]])
                 ++end;
-            if (auto done = each(std::span<const std::uint32_t>(order.data() + begin, end - begin));
+            if (auto done = use(std::span<const std::uint32_t>(order.data() + begin, end - begin));
                 !done)
                 return done;
             begin = end;
@@ -235,15 +237,15 @@ class IntervalFlow final : public Flow {
     /// interval is cut to the one time-step that counts at the point's time where that is a stored one; a gap
     /// in the other is none then.
     template <class Use>
-    Result<void> each_at_its_steps(const Interval& held,
-                                   std::span<const double> times,
-                                   std::span<const std::uint32_t> chosen,
-                                   std::size_t count,
-                                   const std::stop_token& stop,
-                                   const Use& use) const {
+    Result<void> for_each_at_its_steps(const Interval& held,
+                                       std::span<const double> times,
+                                       std::span<const std::uint32_t> chosen,
+                                       std::size_t count,
+                                       const std::stop_token& stop,
+                                       const Use& use) const {
         const Interval first{nullptr, held.first, nullptr, nullptr, held.missing};
         const Interval second{nullptr, held.second, nullptr, nullptr, held.missing};
-        const auto some = [&](std::size_t begin, std::size_t end) {
+        const auto use_points = [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k != end; ++k) {
                 const std::size_t i = chosen.empty() ? k : chosen[k];
                 if (times[i] == held.first->time)
@@ -252,19 +254,19 @@ class IntervalFlow final : public Flow {
                     use(held.second && times[i] == held.second->time ? second : held, i);
             }
         };
-        const auto round = [&](std::size_t begin, std::size_t end) {
+        const auto use_ranges = [&](std::size_t begin, std::size_t end) {
             const auto shifted = [&](std::size_t from, std::size_t to) {
-                some(begin + from, begin + to);
+                use_points(begin + from, begin + to);
             };
             return in_ranges(end - begin, {}, shifted, 1024);
         };
-        return outcome(MissingBricks::in_rounds(held.missing.get(), count, stop,
-                                                MissingBricks::Again::Redo, round),
-                       held);
+        return result_of(MissingBricks::in_rounds(held.missing.get(), count, stop,
+                                                  MissingBricks::Again::Redo, use_ranges),
+                         held);
     }
 
     /// Returns the error of something that has ended early, if it is not `whole`.
-    static Result<void> outcome(bool whole, const Interval& held) {
+    static Result<void> result_of(bool whole, const Interval& held) {
         if (whole)
             return {};
         if (held.missing && held.missing->error())
@@ -282,7 +284,7 @@ class IntervalFlow final : public Flow {
         bool later = false;
         for (std::size_t i = 0; i < count; ++i)
             later = later || times[index(i)] > source_.times()[k];
-        return intervals_.acquire(k, needs(later, smoothly), stop);
+        return intervals_.acquire(k, steps_needed(later, smoothly), stop);
     }
 
     static bool gaps_in(const Interval& held) {
@@ -302,7 +304,7 @@ class IntervalFlow final : public Flow {
             return tl::unexpected(held.error());
         if (!gaps_in(*held))
             return {};
-        const auto look = [&](const Interval& steps, std::size_t i) {
+        const auto mark_gap = [&](const Interval& steps, std::size_t i) {
             const BrickMisses misses(held->missing.get());
             const auto known = [&](std::size_t node) {
                 const auto speed = [&](const TimeStep& step) { // finite where all three are
@@ -315,7 +317,7 @@ class IntervalFlow final : public Flow {
             if (shares.status == PointStatus::Inside && std::isnan(weighed(shares, known)))
                 gap[i] = 1;
         };
-        return each_at_its_steps(*held, times, chosen, count, stop, look);
+        return for_each_at_its_steps(*held, times, chosen, count, stop, mark_gap);
     }
 
     /// Points whose times fall into one interval. @param chosen which of them; empty: all
@@ -338,24 +340,24 @@ class IntervalFlow final : public Flow {
             positions = brought_in = sampling_->brought_in(positions);
         bool whole = true;
         sampling_->with_field(*held, smoothly, [&](const auto& field) {
-            const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
+            const auto sample_range = [&](const auto& view, std::size_t begin, std::size_t end) {
                 for (std::size_t i = begin; i != end; ++i) {
                     restart(view, cell, i);
                     velocities[index(i)] = view.velocity(positions[index(i)], times[index(i)]);
                     keep_cell(view, cell, i);
                 }
             };
-            whole = in_blocks(field, count, stop, some, 4096, MissingBricks::Again::Redo);
+            whole = in_blocks(field, count, stop, sample_range, 4096, MissingBricks::Again::Redo);
         });
         if (!whole || !gaps_in(*held))
-            return outcome(whole, *held);
-        const auto again = [&](const Interval& steps, std::size_t i) {
+            return result_of(whole, *held);
+        const auto sample_stored_time = [&](const Interval& steps, std::size_t i) {
             if (held->second && !steps.second)
                 sampling_->with_field(steps, smoothly, [&](const auto& field) {
                     velocities[i] = field.velocity(positions[i], times[i]);
                 });
         };
-        return each_at_its_steps(*held, times, chosen, count, stop, again);
+        return for_each_at_its_steps(*held, times, chosen, count, stop, sample_stored_time);
     }
 
     /// Returns x, y and z at a node.
@@ -368,7 +370,7 @@ class IntervalFlow final : public Flow {
         return (brick != nullptr ? brick : misses.note(place.brick)) + 3 * place.node;
     }
 
-    static constexpr double infinite = std::numeric_limits<double>::infinity();
+    static constexpr double forever = std::numeric_limits<double>::infinity();
 
     static bool upstream(std::span<const Curve> curves) { return curves.front().duration < 0.0; }
 
@@ -384,7 +386,7 @@ class IntervalFlow final : public Flow {
     /// True of one stored time.
     bool stands_still() const { return source_.times().size() < 2; }
 
-    Intervals::Needs needs(bool both, bool smoothly) const {
+    Intervals::Needs steps_needed(bool both, bool smoothly) const {
         return !both || stands_still() ? Intervals::Needs::First
                : smoothly              ? Intervals::Needs::Four
                                        : Intervals::Needs::Both;
@@ -399,7 +401,7 @@ class IntervalFlow final : public Flow {
         return stored != times.end()
                    ? intervals_.acquire(static_cast<std::size_t>(stored - times.begin()),
                                         Intervals::Needs::First, stop)
-                   : intervals_.acquire(interval_at(time), needs(true, smoothly), stop);
+                   : intervals_.acquire(interval_at(time), steps_needed(true, smoothly), stop);
     }
 
     /// Loads ahead of what interval `k` holds, which stays: the next step may be in the same interval.
@@ -453,7 +455,8 @@ class IntervalFlow final : public Flow {
         for (; k >= 0 && k + 1 < static_cast<std::ptrdiff_t>(times.size()); k += direction) {
             const auto index = static_cast<std::size_t>(k);
             const auto start = clock_->now();
-            const auto interval = intervals_.acquire(index, needs(true, options.smooth), stop);
+            const auto interval =
+                intervals_.acquire(index, steps_needed(true, options.smooth), stop);
             cost.load += seconds_since(start);
             if (!interval)
                 return unreadable(interval.error(), index, direction, stop);

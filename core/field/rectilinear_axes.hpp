@@ -2,7 +2,7 @@
 // Twin: uniform_axes.hpp.
 #pragma once
 
-#include "core/dataset/rectilinear_grid.hpp"
+#include "core/dataset/grid.hpp"
 #include "core/field/kernel/rk4_batch.hpp"
 #include "core/field/uniform_axes.hpp"
 

@@ -2,7 +2,7 @@
 // larger than memory can be written. What `wakesurf generate` puts into its files.
 #pragma once
 
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 #include "core/field/flow.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/base/vec3.hpp"
-#include "core/dataset/scalar_source.hpp"
+#include "core/dataset/scalar_steps.hpp"
 #include "core/field/flow.hpp"
 
 #include <span>

@@ -6,7 +6,7 @@
 #include "core/field/field_in_series.hpp"
 #include "core/field/look_ahead.hpp"
 #include "core/integrate/cursor_of.hpp"
-#include "core/integrate/runge_kutta_steps.hpp"
+#include "core/integrate/runge_kutta.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

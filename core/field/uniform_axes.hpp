@@ -2,7 +2,7 @@
 // Twin: rectilinear_axes.hpp.
 #pragma once
 
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 
 #include <algorithm>
 #include <array>

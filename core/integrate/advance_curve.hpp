@@ -1,6 +1,6 @@
 // Carries one particle from where its curve ends to a given time, or until it leaves the domain, meets an
 // obstacle or stands still. One loop for steps of every kind: by Runge-Kutta through any field
-// (runge_kutta_steps.hpp), by Taylor series through the cells of a grid (field/trilinear_steps.hpp) or of a
+// (runge_kutta.hpp), by Taylor series through the cells of a grid (field/trilinear_steps.hpp) or of a
 // mesh (field/cells/cell_steps.hpp).
 #pragma once
 

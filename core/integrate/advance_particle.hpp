@@ -5,7 +5,6 @@
 
 #include "core/base/point_status.hpp"
 #include "core/integrate/at_rest.hpp"
-#include "core/integrate/carried.hpp"
 #include "core/integrate/divergence.hpp"
 #include "core/integrate/particles.hpp"
 #include "core/integrate/runge_kutta.hpp"

@@ -1,13 +1,17 @@
 // The stored field of a cell mesh between its nodes: VTK's shape functions in space, linear in time. A pair
-// of time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns.
+// of time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns. In a tetrahedron the stored
+// velocity is linear, and a steady path has a closed form by the exponential of its matrix: Scheuermann, Bobach,
+// Hagen, Mahrous, Hamann, Joy, Kollmann, A Tetrahedra-Based Stream Surface Algorithm, 2001.
 #pragma once
 
+#include "core/base/vec3.hpp"
+#include "core/dataset/cell_mesh.hpp"
 #include "core/field/cells/cell_cursor.hpp"
+#include "core/field/cells/cell_geometry.hpp"
 #include "core/field/cells/cell_path.hpp"
-#include "core/field/cells/cell_shares.hpp"
-#include "core/field/cells/linear_cell.hpp"
-#include "core/field/cells/meridian.hpp"
 #include "core/integrate/at_rest.hpp"
+
+#include <glm/mat3x3.hpp>
 
 #include <algorithm>
 #include <array>
@@ -16,6 +20,77 @@
 #include <span>
 
 namespace wakesurf::core {
+
+/// Returns how far a particle of velocity `v` has gone after a time t >= 0, where velocity changes by `slope`
+/// times the way: the integral of exp(slope t) v, to rounding. It sums the exponential's series in pieces of
+/// the time within which it has no cancellation.
+inline Vec3 linear_way(const glm::dmat3& slope, const Vec3& v, double t) {
+    double norm = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        const Vec3 entries = glm::abs(slope[column]);
+        norm = std::max(norm, entries.x + entries.y + entries.z);
+    }
+    const double pieces =
+        std::clamp(std::ceil(norm * t), 1.0, 1e4); // 1e4: of e^10000 nothing is left in a cell
+    const double h = t / pieces;
+    Vec3 way(0.0);
+    for (double piece = 0.0; piece < pieces; ++piece) {
+        Vec3 term = (v + slope * way) * h;
+        Vec3 sum = term;
+        for (double k = 2.0; k < 30.0 && glm::dot(term, term) > 1e-34 * glm::dot(sum, sum); ++k) {
+            term = slope * term * (h / k);
+            sum += term;
+        }
+        way += sum;
+    }
+    return way;
+}
+
+/// Turns places about the axis of an axisymmetric mesh into its half plane, and vectors back. It keeps the turn
+/// of the last place. Without an axis it changes nothing.
+class Meridian {
+  public:
+    explicit Meridian(const std::optional<SymmetryAxis>& axis) : axis_(axis) {
+        if (axis_)
+            around_ = glm::cross(axis_->direction, axis_->radial);
+    }
+
+    explicit operator bool() const { return axis_.has_value(); }
+
+    /// Turns a place into the half plane, and what follows by the same angle.
+    Vec3 enter(const Vec3& p) {
+        if (!axis_)
+            return p;
+        const Vec3 from = p - axis_->origin;
+        const double along = glm::dot(from, axis_->direction);
+        const double x = glm::dot(from, axis_->radial);
+        const double y = glm::dot(from, around_);
+        const double radius = std::hypot(x, y);
+        cos_ = radius > 0.0 ? x / radius : 1.0;
+        sin_ = radius > 0.0 ? y / radius : 0.0;
+        return axis_->origin + along * axis_->direction + radius * axis_->radial;
+    }
+
+    /// Turns a vector back.
+    Vec3 back(const Vec3& v) const { return turned(v, sin_); }
+
+    /// Turns a vector as the place was.
+    Vec3 into(const Vec3& v) const { return turned(v, -sin_); }
+
+  private:
+    Vec3 turned(const Vec3& v, double sine) const {
+        if (!axis_)
+            return v;
+        const double x = glm::dot(v, axis_->radial);
+        const double y = glm::dot(v, around_);
+        return v + (cos_ * x - sine * y - x) * axis_->radial + (sine * x + cos_ * y - y) * around_;
+    }
+
+    std::optional<SymmetryAxis> axis_;
+    Vec3 around_{0.0};
+    double cos_ = 1.0;
+    double sin_ = 0.0;
+};
 
 class CellSamplerCursor;
 template <class Cursor>

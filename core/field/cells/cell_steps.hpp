@@ -1,6 +1,6 @@
 // Steps along a curve through a mesh of cells, cell by cell: each follows the Taylor series of the particle's
 // path (cell_path.hpp) and ends a little beyond the face through which that leaves the cell. In tetrahedra of
-// a steady field the ends are exact (linear_cell.hpp).
+// a steady field the ends are exact (linear_way in cell_sampler.hpp).
 #pragma once
 
 #include "core/field/cells/cell_sampler.hpp"

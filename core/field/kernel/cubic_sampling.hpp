@@ -96,7 +96,7 @@ class BrickBlocks {
 
   public:
     void begin(const StoredPair& field, Rk4Batch& batch) {
-        LookUp::begin(field, batch.kept);
+        LookUp::begin(field, batch.bricks);
         row_ = 3 * static_cast<std::int64_t>(field.places.node[1]);
         slice_ = 3 * static_cast<std::int64_t>(field.places.node[2]);
     }
@@ -106,11 +106,11 @@ class BrickBlocks {
               const UniformPlaces<Lanes>& places,
               std::size_t g,
               const Floats (&begin)[3]) {
-        KeptBricks& kept = batch.kept;
+        BrickReferences& bricks = batch.bricks;
         Floats at[3], left[3];
         for (std::size_t axis = 0; axis < 3; ++axis)
             at[axis] = places.first_cell(axis, g) + begin[axis];
-        unsigned apart = LookUp::outside(field, kept, g, at, 2.0f, left);
+        unsigned apart = LookUp::outside(field, bricks, g, at, 2.0f, left);
         if (apart != 0) {
             float node[3][Floats::size];
             for (std::size_t axis = 0; axis < 3; ++axis)
@@ -121,18 +121,18 @@ class BrickBlocks {
                 if (in_one(field, first)) {
                     LookUp::keep(field, batch, g + i, first);
                     apart &= ~(1u << i);
-                } else if (kept.block_at[0][g + i] != 1.0f + first[0] ||
-                           kept.block_at[1][g + i] != 1.0f + first[1] ||
-                           kept.block_at[2][g + i] != 1.0f + first[2]) {
+                } else if (bricks.block_at[0][g + i] != 1.0f + first[0] ||
+                           bricks.block_at[1][g + i] != 1.0f + first[1] ||
+                           bricks.block_at[2][g + i] != 1.0f + first[2]) {
                     bring_together(field, batch, g + i, first);
                 }
             }
-            LookUp::outside(field, kept, g, at, 2.0f, left);
+            LookUp::outside(field, bricks, g, at, 2.0f, left);
         }
         std::int64_t nodes[Floats::size];
         LookUp::nodes_left(field, left, nodes);
         for (std::size_t t = 0; t < Times; ++t) {
-            const std::int64_t* end = kept.end[kept.slot[in_order[t]]] + g;
+            const std::int64_t* end = bricks.end[bricks.slot[in_order[t]]] + g;
             for (std::size_t i = 0; i < Floats::size; ++i)
                 first_[t][g + i] = field.places.zeros + (end[i] - 3 * nodes[i]);
         }
@@ -140,7 +140,7 @@ class BrickBlocks {
         for (; apart != 0; apart &= apart - 1u) {
             const std::size_t lane = g + static_cast<std::size_t>(__builtin_ctz(apart));
             for (std::size_t t = 0; t < Times; ++t)
-                first_[t][lane] = kept.block[kept.slot[in_order[t]]][lane];
+                first_[t][lane] = bricks.block[bricks.slot[in_order[t]]][lane];
         }
     }
 
@@ -151,7 +151,7 @@ class BrickBlocks {
     std::int64_t slice(std::size_t lane) const { return brought(lane) ? 48 : slice_; }
 
   private:
-    /// The indices into KeptBricks::slot of the time-step before, the pair's, and after.
+    /// The indices into BrickReferences::slot of the time-step before, the pair's, and after.
     static constexpr std::size_t in_order[4] = {Times == 1 ? 0 : 2, 0, 1, 3};
 
     static bool in_one(const StoredPair& field, const float (&first)[3]) {
@@ -185,26 +185,26 @@ class BrickBlocks {
                                std::size_t lane,
                                const float (&first)[3]) {
         const BrickPlaces& in = field.places;
-        KeptBricks& kept = batch.kept;
+        BrickReferences& bricks = batch.bricks;
         Part parts[3][2];
         int count[3];
         for (std::size_t axis = 0; axis < 3; ++axis)
             count[axis] = parts_of(in, axis, first[axis], parts[axis]);
-        kept.absent &= ~(std::uint64_t{1} << lane);
+        bricks.absent &= ~(std::uint64_t{1} << lane);
         for (int part = 0; part < count[0] * count[1] * count[2]; ++part) {
             const Part& x = parts[0][part % count[0]];
             const Part& y = parts[1][part / count[0] % count[1]];
             const Part& z = parts[2][part / (count[0] * count[1])];
             for (std::size_t slot = 0; slot < 4; ++slot)
-                if (kept.of[slot].at != nullptr)
+                if (bricks.of[slot].at != nullptr)
                     copy(field, x, y, z,
-                         LookUp::in_memory(in, batch, lane, kept.of[slot],
+                         LookUp::in_memory(in, batch, lane, bricks.of[slot],
                                            x.brick + y.brick + z.brick),
-                         kept.block[slot][lane]);
+                         bricks.block[slot][lane]);
         }
-        const bool all = (kept.absent >> lane & 1u) == 0;
+        const bool all = (bricks.absent >> lane & 1u) == 0;
         for (std::size_t axis = 0; axis < 3; ++axis)
-            kept.block_at[axis][lane] = all ? 1.0f + first[axis] : 0.0f;
+            bricks.block_at[axis][lane] = all ? 1.0f + first[axis] : 0.0f;
     }
 
     static void copy(const StoredPair& field,
@@ -234,7 +234,7 @@ class BrickBlocks {
     static constexpr unsigned all_lanes = (1u << Floats::size) - 1u;
 
     const float* first_[Times][most];
-    Rk4Batch::Bits brought_ = 0; ///< a bit a lane: its nodes are those of KeptBricks::block
+    Rk4Batch::Bits brought_ = 0; ///< a bit a lane: its nodes are those of BrickReferences::block
     std::int64_t row_, slice_;   ///< of bricks
 };
 

@@ -87,7 +87,7 @@ struct StoredPair {
 /// The bricks in which the lanes of a batch were last found: most are found there again, stage by stage and
 /// step by step, without reading the tables. They are valid while nothing is removed from memory, for the
 /// time-steps in `of`.
-struct KeptBricks {
+struct BrickReferences {
     static constexpr std::size_t lanes = 32;
     /// Counts 4^3 nodes, and what the last load reads beyond.
     static constexpr std::size_t block_floats = 64 * 3 + 4;
@@ -111,7 +111,7 @@ struct KeptBricks {
 /// what is no load from the field is computed for 4 to 16 particles at once. Lanes beyond `count` hold any
 /// numbers.
 struct Rk4Batch {
-    static constexpr std::size_t most = KeptBricks::lanes;
+    static constexpr std::size_t most = BrickReferences::lanes;
 
     using Bits = std::uint64_t; ///< a bit a lane
 
@@ -136,7 +136,7 @@ struct Rk4Batch {
 
     /// Asks for no step: velocity is found where the particles are, at the times they have; `straight` says
     /// that these are the same.
-    bool look = false;
+    bool velocity_only = false;
     alignas(64) float velocity[most][4];
 
     // The kernel writes the members below. Sets are bits of lanes.
@@ -148,7 +148,7 @@ struct Rk4Batch {
     Bits missing = 0; ///< a brick was missing: nothing else of the lane counts
     std::uint32_t missing_brick[most]; ///< of lanes that miss one: its number
 
-    KeptBricks kept; ///< between calls; of any earlier lanes
+    BrickReferences bricks; ///< between calls; of any earlier lanes
 };
 
 /// Takes one step of every particle, or several at once where `straight` says so; fills next, slow, outside,

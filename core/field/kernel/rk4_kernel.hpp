@@ -30,8 +30,8 @@ class Rk4KernelOf {
         Rk4KernelOf kernel(field, batch);
         kernel.set_out();
         kernel.places_.begin(field, batch.position, kernel.end_);
-        if (batch.look) {
-            kernel.look();
+        if (batch.velocity_only) {
+            kernel.find_velocities();
             return;
         }
         const bool straight = batch.straight != 0;
@@ -76,7 +76,7 @@ class Rk4KernelOf {
             });
     }
 
-    void look() {
+    void find_velocities() {
         if (batch_.share_of_steps != nullptr)
             share(batch_.share_of_steps);
         stay();

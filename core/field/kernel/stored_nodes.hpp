@@ -2,7 +2,7 @@
 // their bricks.
 #pragma once
 
-#include "core/field/kernel/kept_bricks.hpp"
+#include "core/field/kernel/brick_lookup.hpp"
 
 namespace wakesurf::core {
 
@@ -50,9 +50,9 @@ class BrickNodes {
     static const double (&strides(const StoredPair& field))[3] { return field.places.node; }
 
     void begin(const StoredPair& field, Rk4Batch& batch) {
-        LookUp::begin(field, batch.kept);
+        LookUp::begin(field, batch.bricks);
         for (std::size_t step = 0; step < 2; ++step)
-            end_[step] = batch.kept.end[batch.kept.slot[step]];
+            end_[step] = batch.bricks.end[batch.bricks.slot[step]];
     }
 
     template <class Places>
@@ -64,7 +64,8 @@ class BrickNodes {
         Floats at[3], left[3];
         for (std::size_t axis = 0; axis < 3; ++axis)
             at[axis] = places.first_cell(axis, g) + cell[axis];
-        if (unsigned others = LookUp::outside(field, batch.kept, g, at, 0.0f, left); others != 0) {
+        if (unsigned others = LookUp::outside(field, batch.bricks, g, at, 0.0f, left);
+            others != 0) {
             float cells[3][Floats::size];
             for (std::size_t axis = 0; axis < 3; ++axis)
                 at[axis].store(cells[axis]);
@@ -72,7 +73,7 @@ class BrickNodes {
                 const auto i = static_cast<std::size_t>(__builtin_ctz(others));
                 LookUp::keep(field, batch, g + i, {cells[0][i], cells[1][i], cells[2][i]});
             }
-            LookUp::outside(field, batch.kept, g, at, 0.0f, left);
+            LookUp::outside(field, batch.bricks, g, at, 0.0f, left);
         }
         LookUp::nodes_left(field, left, left_ + g);
     }

@@ -1,6 +1,6 @@
 #include "core/field/advance_particles.hpp"
 #include "core/field/advance_stored.hpp"
-#include "core/field/passage.hpp"
+#include "core/field/refill_batch.hpp"
 #include "core/field/stored_flow.hpp"
 #include "core/field/stored_pair.hpp"
 #include "tests/support/sampled_source.hpp"
@@ -195,15 +195,15 @@ TEST(AdvanceStored, ThoseThatSetOutTogetherGoStraightWithTheBitsOfOneStepAtATime
         Swarm one_by_one = start;
         const Particles particles = one_by_one.particles(tangents);
         const StoredPair pair = stored_pair(field, options);
-        Passage passage(field, pair, kernel, particles, to, options);
+        RefillBatch batch(field, pair, kernel, particles, to, options);
         for (std::size_t i = 0; i < start.position.size(); ++i) {
-            while (passage.full())
-                passage.step();
+            while (batch.full())
+                batch.step();
             if (still_to_go(particles, i, to, 1))
-                passage.board(i);
+                batch.enqueue(i);
         }
-        while (!passage.empty())
-            passage.step();
+        while (!batch.empty())
+            batch.step();
         Swarm straight = start;
         ASSERT_TRUE(
             advance_stored(field, kernel, straight.particles(tangents), to, 1, options, {}));

@@ -1,5 +1,5 @@
 #include "core/field/analytic_flow.hpp"
-#include "core/field/body_shapes.hpp"
+#include "core/field/closed_forms.hpp"
 
 #include <gtest/gtest.h>
 

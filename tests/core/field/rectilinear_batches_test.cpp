@@ -2,9 +2,9 @@
 // and beside the uniform grid's.
 #include "core/field/advance_particles.hpp"
 #include "core/field/advance_stored.hpp"
-#include "core/field/passage.hpp"
+#include "core/field/grid_sampling.hpp"
+#include "core/field/refill_batch.hpp"
 #include "core/field/stored_pair.hpp"
-#include "core/field/stored_steps.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/swarm.hpp"
 
@@ -187,15 +187,15 @@ TEST(RectilinearBatches, AreTheSameBitsWithEveryKernelAndTogetherAsStepByStep) {
                 Swarm one_by_one = start;
                 const Particles particles = one_by_one.particles();
                 const StoredPair pair = stored_pair(data.field, options);
-                Passage passage(data.field, pair, choose_rk4_kernel(Simd::Portable), particles, 0.9,
-                                options);
+                RefillBatch batch(data.field, pair, choose_rk4_kernel(Simd::Portable), particles,
+                                  0.9, options);
                 for (std::size_t i = 0; i < start.position.size(); ++i) {
-                    while (passage.full())
-                        passage.step();
-                    passage.board(i);
+                    while (batch.full())
+                        batch.step();
+                    batch.enqueue(i);
                 }
-                while (!passage.empty())
-                    passage.step();
+                while (!batch.empty())
+                    batch.step();
                 EXPECT_GT(ended(one_by_one, CurveEnd::Running), 100u);
                 EXPECT_GT(ended(one_by_one, CurveEnd::Domain), 100u);
                 EXPECT_GT(ended(one_by_one, CurveEnd::Obstacle), 20u);

@@ -1,8 +1,8 @@
 // Stored data on rectilinear grids: closed forms, and the uniform grid as their twin.
 #include "core/field/analytic_flow.hpp"
+#include "core/field/grid_sampling.hpp"
 #include "core/field/rectilinear_axes.hpp"
 #include "core/field/stored_flow.hpp"
-#include "core/field/stored_steps.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/swarm.hpp"

@@ -1,5 +1,5 @@
 #include "core/field/closed_forms.hpp"
-#include "core/integrate/runge_kutta_steps.hpp"
+#include "core/integrate/runge_kutta.hpp"
 #include "tests/support/curve_at_time.hpp"
 #include "tests/support/walled_flow.hpp"
 

@@ -1,5 +1,5 @@
 // Curves through tetrahedra with linear velocity, beside the exponential of its matrix: Scheuermann et al. 2001.
-#include "core/field/cells/linear_cell.hpp"
+#include "core/field/cells/cell_sampler.hpp"
 #include "tests/support/meshed_source.hpp"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace wakesurf::core::velocity_look_test {
+namespace wakesurf::core::velocity_probe_test {
 namespace {
 
 using namespace tests;
@@ -69,7 +69,7 @@ std::vector<Vec3> points() {
     return points;
 }
 
-TEST(VelocityLook, ThoseWhoArriveHaveTheBitsOfSamplingAfterwards) {
+TEST(VelocityProbe, ThoseWhoArriveHaveTheBitsOfSamplingAfterwards) {
     struct Way {
         double from, to;
     };
@@ -104,7 +104,7 @@ TEST(VelocityLook, ThoseWhoArriveHaveTheBitsOfSamplingAfterwards) {
                 }
 }
 
-TEST(VelocityLook, ManyPointsAtOneTimeAreTheSamplesInDoubleToTheRoundingOfFloats) {
+TEST(VelocityProbe, ManyPointsAtOneTimeAreTheSamplesInDoubleToTheRoundingOfFloats) {
     for (const Grid& grid : {Grid(even), Grid(stretched())})
         for (const bool smooth : {false, true})
             for (const double time : {0.0, 0.13, 0.3, 0.9, 1.3}) {
@@ -120,7 +120,7 @@ TEST(VelocityLook, ManyPointsAtOneTimeAreTheSamplesInDoubleToTheRoundingOfFloats
             }
 }
 
-TEST(VelocityLook, IsTheSameBitsWithEveryKernelAndOfAPointByItself) {
+TEST(VelocityProbe, IsTheSameBitsWithEveryKernelAndOfAPointByItself) {
     for (const Grid& grid : {Grid(even), Grid(stretched())})
         for (const bool smooth : {false, true}) {
             const auto at = points();
@@ -141,7 +141,7 @@ TEST(VelocityLook, IsTheSameBitsWithEveryKernelAndOfAPointByItself) {
         }
 }
 
-TEST(VelocityLook, WithoutTheKernelItIsTheSampleInDouble) {
+TEST(VelocityProbe, WithoutTheKernelItIsTheSampleInDouble) {
     const auto holes = flow_on(even, Simd::Best, with_a_hole);
     const auto closed = make_analytic_flow("abc").value();
     for (const Flow* flow : {holes.get(), closed.get()}) {
@@ -157,4 +157,4 @@ TEST(VelocityLook, WithoutTheKernelItIsTheSampleInDouble) {
 }
 
 } // namespace
-} // namespace wakesurf::core::velocity_look_test
+} // namespace wakesurf::core::velocity_probe_test

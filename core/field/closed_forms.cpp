@@ -1,4 +1,4 @@
-#include "core/field/body_shapes.hpp"
+#include "core/field/closed_forms.hpp"
 
 #include <cmath>
 #include <numbers>

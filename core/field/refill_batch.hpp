@@ -1,6 +1,6 @@
 // Particles on their way through stored data in the lanes of a batch, step by step: each with a time and a
-// number of steps of its own. Those that start together go straight first (convoy.hpp), and come here if they
-// may end.
+// number of steps of its own. Those that start together are carried in lockstep first (LockstepBatch in
+// advance_stored.cpp), and come here if they may end.
 #pragma once
 
 #include "core/field/advance_particles.hpp"
@@ -28,14 +28,14 @@ Rk4Batch::Bits note_missing(const Field& view, const Rk4Batch& batch) {
 /// then leaves the lane to the next: particles with more steps delay no others.
 /// @tparam Field  computes in double the steps in which particles end
 template <class Field>
-class Passage {
+class RefillBatch {
   public:
-    Passage(const Field& field,
-            const StoredPair& pair,
-            Rk4Kernel kernel,
-            const Particles& particles,
-            double to,
-            const AdvanceOptions& options)
+    RefillBatch(const Field& field,
+                const StoredPair& pair,
+                Rk4Kernel kernel,
+                const Particles& particles,
+                double to,
+                const AdvanceOptions& options)
         : field_(field), pair_(pair), kernel_(kernel), particles_(particles), to_(to),
           options_(options) {}
 
@@ -43,7 +43,7 @@ class Passage {
 
     bool empty() const { return batch_.count == 0; }
 
-    void board(std::size_t particle) {
+    void enqueue(std::size_t particle) {
         const std::size_t lane = batch_.count++;
         put(lane, take_out(particles_, particle).carried);
         const double whole = to_ - particles_.time[particle];
@@ -65,19 +65,19 @@ class Passage {
             share_time_steps();
         kernel_(pair_, batch_, particles_.tangents());
         const Rk4Batch::Bits all = (Rk4Batch::Bits{1} << batch_.count) - 1u;
-        Rk4Batch::Bits aboard = all & ~note_missing(field_, batch_);
-        Rk4Batch::Bits alone = aboard & (batch_.slow | (gaps() ? aboard : batch_.outside));
+        Rk4Batch::Bits present = all & ~note_missing(field_, batch_);
+        Rk4Batch::Bits alone = present & (batch_.slow | (gaps() ? present : batch_.outside));
         for (Rk4Batch::Bits some = alone & ~batch_.slow; some != 0; some &= some - 1u) {
             const Rk4Batch::Bits bit = some & -some;
             if (inside(first_of(some)))
                 alone &= ~bit;
             if (take_missed(field_))
-                aboard &= ~bit;
+                present &= ~bit;
         }
-        alone &= aboard;
+        alone &= present;
         // Those that miss something leave as they came, and go again once it is there.
-        ended_ = all & ~aboard;
-        Rk4Batch::Bits leaving = aboard & batch_.last;
+        ended_ = all & ~present;
+        Rk4Batch::Bits leaving = present & batch_.last;
         if (alone == 0) {
             go_on();
         } else {
@@ -215,7 +215,7 @@ class Passage {
     const Particles& particles_;
     double to_;
     const AdvanceOptions& options_;
-    double whole_ = 0.0; ///< time the last one aboard had to go, and its steps
+    double whole_ = 0.0; ///< time the one enqueued last had to go, and its steps
     double steps_ = 1.0;
     double dt_ = 0.0;
     double shared_time_ = 0.0; ///< when the shares hold

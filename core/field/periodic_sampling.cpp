@@ -1,4 +1,4 @@
-#include "core/field/periodic_box.hpp"
+#include "core/field/periodic_sampling.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,5 +1,5 @@
 // Velocities of up to a batch of particles at one time, by the kernel that carries them: in float, and the
-// same bits whether asked for when they arrive or later.
+// same bits when they arrive as later.
 #pragma once
 
 #include "core/field/stored_pair.hpp"
@@ -10,11 +10,11 @@
 
 namespace wakesurf::core {
 
-/// Keeps references. @tparam Field  as of Passage
+/// Keeps references. @tparam Field  as of RefillBatch
 template <class Field>
-class VelocityLook {
+class VelocityProbe {
   public:
-    VelocityLook(const Field& field, const StoredPair& pair, Rk4Kernel kernel, double time)
+    VelocityProbe(const Field& field, const StoredPair& pair, Rk4Kernel kernel, double time)
         : pair_(stored_pair_at(field, pair, time)), kernel_(kernel), time_(time) {
         if constexpr (std::is_same_v<Field, CubicSampler>) {
             const auto shares = field.shares(time);
@@ -24,16 +24,16 @@ class VelocityLook {
         }
     }
 
-    /// Fills batch.velocity where the particles are. Changes what says their time.
+    /// Fills batch.velocity where the particles are. Overwrites their start and taken steps.
     void operator()(Rk4Batch& batch) const {
         std::fill_n(batch.start, Rk4Batch::most, time_);
         std::fill_n(batch.taken, Rk4Batch::most, 0.0);
         batch.straight = 1;
         if constexpr (std::is_same_v<Field, CubicSampler>)
             batch.share_of_steps = &share_[0][0];
-        batch.look = true;
+        batch.velocity_only = true;
         kernel_(pair_, batch, false);
-        batch.look = false;
+        batch.velocity_only = false;
     }
 
     static Vec3f of(const Rk4Batch& batch, std::size_t lane) {
