@@ -6,7 +6,7 @@
 # core/, and the program ours; so the installed headers have the prefix in their includes, line by line the same otherwise.
 cmake_policy(VERSION 3.25)
 set(waiting
-    core/dataset/scalar_source.hpp
+    core/dataset/scalar_steps.hpp
     core/dataset/steps_in_memory.hpp
     core/dataset/time_step_cache.hpp
     core/field/analytic_flow.hpp
@@ -16,7 +16,7 @@ set(waiting
     core/field/stored_flow.hpp
     core/field/velocity_gradient.hpp
     core/surface/contour_lines.hpp
-    core/surface/keyed_mesh.hpp
+    core/surface/quad_complex.hpp
     core/surface/obstacle_surface.hpp
     core/surface/patches/tessellation.hpp
     core/surface/playback/played_surface.hpp
@@ -24,7 +24,7 @@ set(waiting
     core/surface/rake.hpp
     core/surface/suggestion/scene_suggestion.hpp
     core/surface/builder/surface_builder.hpp
-    core/surface/vertex_times.hpp
+    core/surface/surface.hpp
     protocol/files/mesh_file.hpp
     protocol/wire/mesh_decoder.hpp
     protocol/wire/mesh_stream.hpp

@@ -1,6 +1,6 @@
 // Sampling on rectilinear grids is VTK's own interpolation.
+#include "core/field/grid_sampling.hpp"
 #include "core/field/rectilinear_axes.hpp"
-#include "core/field/stored_steps.hpp"
 #include "tests/support/sampled_source.hpp"
 #include "tests/support/swarm.hpp"
 

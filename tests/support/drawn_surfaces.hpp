@@ -5,7 +5,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/patches/tessellation.hpp"
-#include "core/surface/vertex_times.hpp"
+#include "core/surface/surface.hpp"
 #include "tests/support/exact_sheet.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // points from each other.
 #pragma once
 
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 
 #include <algorithm>
 #include <cmath>

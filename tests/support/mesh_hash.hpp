@@ -1,7 +1,7 @@
 // A hash of a mesh with ids, by which tests say that two surfaces are the same to the bit.
 #pragma once
 
-#include "core/surface/keyed_mesh.hpp"
+#include "core/surface/quad_complex.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,6 @@
 // Random surfaces: from a rake at random in the middle of a closed form's domain.
 #pragma once
 
-#include "core/field/analytic_catalogue.hpp"
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 

@@ -3,7 +3,7 @@
 // Advection); it is not shipped.
 #pragma once
 
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 
 #include <span>
 

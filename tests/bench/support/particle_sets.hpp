@@ -2,7 +2,7 @@
 // memory that are neighbours in the field share its cache lines.
 #pragma once
 
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 #include "core/integrate/particles.hpp"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // A time-step in memory as a VTK image that shares its velocities.
 #pragma once
 
-#include "core/dataset/time_step.hpp"
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
+#include "core/dataset/time_step_source.hpp"
 
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>

@@ -2,7 +2,7 @@
 // alone, so that every machine makes the same bits.
 #pragma once
 
-#include "core/surface/keyed_mesh.hpp"
+#include "core/surface/quad_complex.hpp"
 #include "tests/protocol/wire/sample_meshes.hpp"
 
 #include <algorithm>

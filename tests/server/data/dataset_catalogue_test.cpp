@@ -96,7 +96,7 @@ TEST(DatasetCatalogue, ADatasetWhoseOpeningThrowsFailsAloneAndIsOpenedOnceItCanB
     auto all = account.open(core::MemoryUse::Other);
     all.set(account.budget());
     auto asked =
-        account.on_need(core::GiveBack::TimeSteps, [](std::size_t) { throw std::bad_alloc(); });
+        account.on_need(core::ReclaimOrder::TimeSteps, [](std::size_t) { throw std::bad_alloc(); });
     OpenOptions options;
     options.store_root = folder / "cache";
     options.cache.account = account;
