@@ -4,7 +4,7 @@
 
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 #include "store/import_progress.hpp"
 #include "store/step_placement.hpp"
 

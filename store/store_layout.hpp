@@ -6,7 +6,7 @@
 #include "core/dataset/brick_layout.hpp"
 #include "core/dataset/cell_mesh.hpp"
 #include "core/dataset/dataset_info.hpp"
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 
 #include <array>
 #include <cstdint>

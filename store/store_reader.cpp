@@ -305,7 +305,7 @@ Result<bool> StoreReader::read_bricks(std::size_t column,
 Result<std::shared_ptr<const TimeStep>> StoreReader::load(std::size_t index,
                                                           std::stop_token stop) const {
     std::shared_ptr<TimeStep> step(new TimeStep, [pool = slabs_](TimeStep* done) {
-        pool->give_back(std::move(done->slab));
+        pool->put_back(std::move(done->slab));
         delete done;
     });
     step->slab = slabs_->take();

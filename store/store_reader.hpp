@@ -3,9 +3,8 @@
 #pragma once
 
 #include "core/base/disk.hpp"
-#include "core/dataset/scalar_source.hpp"
 #include "core/dataset/scalar_steps.hpp"
-#include "core/dataset/slab_pool.hpp"
+#include "core/dataset/slab.hpp"
 #include "core/dataset/time_step_source.hpp"
 #include "core/dataset/wall_geometry.hpp"
 #include "store/store_layout.hpp"

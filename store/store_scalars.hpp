@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/disk.hpp"
-#include "core/dataset/scalar_source.hpp"
 #include "core/dataset/scalar_steps.hpp"
+#include "core/dataset/slab.hpp"
 #include "store/store_reader.hpp"
 #include "store/stored_families.hpp"
 

@@ -1,8 +1,7 @@
 #include "importer/assembly/grid_assembly.hpp"
 
 #include "core/base/result.hpp"
-#include "core/dataset/rectilinear_grid.hpp"
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 #include "importer/assembly/mesh_assembly.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/base/slab_mark.hpp"

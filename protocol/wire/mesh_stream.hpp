@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/surface/keyed_mesh.hpp"
 #include "core/surface/quad_complex.hpp"
 #include "protocol/wire/bytes.hpp"
 #include "protocol/wire/lattice.hpp"

@@ -3,7 +3,7 @@
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
-#include "core/surface/vertex_times.hpp"
+#include "core/surface/surface.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/names.hpp"

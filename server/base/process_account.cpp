@@ -56,13 +56,13 @@ std::size_t default_memory() {
 
 ProcessAccount::ProcessAccount(std::size_t budget)
     : account_(budget == 0 ? default_memory() : budget),
-      spare_heap_(account_.on_need(core::GiveBack::SpareHeap,
+      spare_heap_(account_.on_need(core::ReclaimOrder::SpareHeap,
                                    [](std::size_t) { give_back_spare_heap(); })) {
     account_.watch([] { return static_cast<std::size_t>(core::resident_memory()); });
 }
 
 bool ProcessAccount::too_much() const {
-    account_.look();
+    account_.measure();
     return account_.used() > account_.budget();
 }
 

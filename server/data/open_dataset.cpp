@@ -47,7 +47,7 @@ std::size_t more_chunks(std::size_t left) {
 std::size_t fixed_bytes(const store::StoreReader& reader, bool by_brick) {
     const auto* mesh = std::get_if<core::CellMesh>(&reader.grid());
     constexpr std::size_t locator_bytes =
-        37; // a cell: core/field/cells/cell_locator.hpp, cell_walls.hpp
+        37; // a cell: core/field/cells/cell_locator.hpp, cell_domain.hpp
     return core::memory_of(reader.grid()) + (mesh ? locator_bytes * mesh->cells.size() : 0) +
            3 * reader.mask().bytes() + reader.brick_memory() +
            (by_brick ? 0 : reader.scalar_memory());
@@ -206,7 +206,7 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
         const std::size_t more = more_chunks(options.account->budget() / 4);
         if (disk->zarr &&
             memory->grow_within_free(fixed + more, core::TimeStepCache::smallest_budget(*reader) +
-                                                       options.account->kept_for_small() +
+                                                       options.account->reserved_for_small() +
                                                        first_surface)) {
             disk->zarr->use(chunk_bytes + more);
         }

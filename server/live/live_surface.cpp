@@ -1,6 +1,6 @@
 #include "server/live/live_surface.hpp"
 
-#include "core/surface/playback/surface_age.hpp"
+#include "core/surface/playback/surface_at.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/metrics.hpp"
 #include "server/live/keyframe.hpp"

@@ -50,7 +50,7 @@ struct MemoryReclaim::State : std::enable_shared_from_this<State> {
 
 MemoryReclaim::MemoryReclaim(Loop& loop, const core::MemoryAccount& account, Surfaces surfaces)
     : state_(std::make_shared<State>(loop, account, std::move(surfaces))),
-      ticket_(account.on_need(core::GiveBack::Surfaces,
+      ticket_(account.on_need(core::ReclaimOrder::Surfaces,
                               [state = state_](std::size_t bytes) { state->ask(bytes); })) {}
 
 MemoryReclaim::~MemoryReclaim() {

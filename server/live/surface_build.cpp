@@ -2,9 +2,9 @@
 
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
-#include "core/surface/playback/surface_age.hpp"
+#include "core/surface/playback/surface_at.hpp"
+#include "core/surface/surface.hpp"
 #include "core/surface/time_direction.hpp"
-#include "core/surface/vertex_times.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/log_text.hpp"
 #include "server/live/announced_ranges.hpp"

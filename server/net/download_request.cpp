@@ -2,7 +2,7 @@
 
 #include "core/base/rounding.hpp"
 #include "core/surface/patches/tessellation.hpp"
-#include "core/surface/playback/surface_age.hpp"
+#include "core/surface/playback/surface_at.hpp"
 #include "core/surface/time_direction.hpp"
 #include "server/live/surface_build.hpp"
 

@@ -8,7 +8,6 @@
 #include "core/surface/obstacle_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
-#include "core/surface/wall_velocity.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/files/lines_file.hpp"
 #include "protocol/files/mesh_file.hpp"

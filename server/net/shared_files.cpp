@@ -25,9 +25,9 @@ File counted_file(std::string bytes, core::MemoryAccount::Share share) {
 FileCache::FileCache(const core::MemoryAccount* account, std::size_t bytes, std::size_t count)
     : most_bytes_(bytes), most_(count) {
     if (account != nullptr)
-        asked_ = account->on_need(core::GiveBack::Downloads, [state = state_](std::size_t wanted) {
-            state->give_back(wanted);
-        });
+        asked_ =
+            account->on_need(core::ReclaimOrder::Downloads,
+                             [state = state_](std::size_t wanted) { state->give_back(wanted); });
 }
 
 File FileCache::State::drop_last() {

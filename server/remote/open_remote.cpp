@@ -1,5 +1,5 @@
 // Opens stores on the web, and Zarrs on a disk or on the web.
-#include "core/base/folder_disk.hpp"
+#include "core/base/disk.hpp"
 #include "server/remote/remote_dataset.hpp"
 #include "server/remote/web/curl_transport.hpp"
 #include "server/remote/web/web_disk.hpp"

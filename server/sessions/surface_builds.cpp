@@ -2,7 +2,7 @@
 
 #include "core/base/rounding.hpp"
 #include "core/surface/level/level_surface.hpp"
-#include "core/surface/playback/surface_age.hpp"
+#include "core/surface/playback/surface_at.hpp"
 #include "server/base/loop.hpp"
 #include "server/data/datasets.hpp"
 

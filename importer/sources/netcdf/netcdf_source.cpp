@@ -1,4 +1,4 @@
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 #include "importer/base/notes.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"

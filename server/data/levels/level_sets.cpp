@@ -76,8 +76,8 @@ LevelSets::LevelSets(std::shared_ptr<const core::Flow> flow,
     if (options_.clock == nullptr)
         options_.clock = &machine_clock();
     if (options_.account)
-        ticket_ =
-            options_.account->on_need(core::GiveBack::Histories, [this](std::size_t) { take(); });
+        ticket_ = options_.account->on_need(core::ReclaimOrder::Histories,
+                                            [this](std::size_t) { take(); });
 }
 
 LevelSets::~LevelSets() {

@@ -86,10 +86,11 @@ HistoryBudget::HistoryBudget(std::size_t total,
                              const core::MemoryAccount* account)
     : state_(std::make_shared<State>(total, each, account)) {
     if (account != nullptr)
-        asked_ = account->on_need(core::GiveBack::Histories, [state = state_](std::size_t bytes) {
-            const std::lock_guard lock(state->mutex);
-            state->give_back(bytes, Time::max());
-        });
+        asked_ =
+            account->on_need(core::ReclaimOrder::Histories, [state = state_](std::size_t bytes) {
+                const std::lock_guard lock(state->mutex);
+                state->give_back(bytes, Time::max());
+            });
 }
 
 std::size_t HistoryBudget::bytes() const {

@@ -1,6 +1,6 @@
 #include "server/remote/zarr/zarr_axes.hpp"
 
-#include "core/dataset/uniform_grid.hpp"
+#include "core/dataset/grid.hpp"
 #include "store/velocity_names.hpp"
 
 #include <algorithm>
