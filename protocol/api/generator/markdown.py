@@ -9,15 +9,14 @@ FLOAT = 3.4028234663852886e38
 INTRO = """<!-- Made by protocol/api/generate from protocol/api/*.schema.json: do not edit. -->
 # The API
 
-Every method, notification, record, limit and error, made from `protocol/api/*.schema.json`. How messages are exchanged, what a
-session is and how edits meet is told in [{readme}](../{readme}). A server answers the same as an
-[OpenRPC](https://open-rpc.org) document: `rpc.discover`, or `GET /openrpc.json`.
+Every method, notification, record, limit and error. [protocol/README.md](../protocol/README.md) says how messages are exchanged, [{readme}](../{readme})
+how sessions and edits work. A server answers the same as an [OpenRPC](https://open-rpc.org) document: `rpc.discover`, or `GET /openrpc.json`.
 
-- Parameters have names. A parameter that is not known is refused; null counts as left out unless it says otherwise.
+- Parameters have names. An unknown one is refused; null counts as left out unless stated otherwise.
 - Numbers are finite. A whole number may be written `32` or `32.0`.
 - Lengths of texts are bytes in UTF-8. Texts have no control characters unless they have several lines.
 - Every method may answer the errors {always}; the entry of a method names the others.
-- The answer to an *edit* also has `durable` and, where that is false, `hint`, if the server keeps sessions.
+- If the server keeps sessions, the answer to an *edit* also has `durable` and, if that is false, `hint`.
 """
 
 
