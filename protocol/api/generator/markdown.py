@@ -5,11 +5,12 @@ from .openrpc import errors_of
 from .schema import NOUNS, either
 
 README = "protocol/api/README.md"
+PROTOCOL = "protocol/README.md"
 FLOAT = 3.4028234663852886e38
 INTRO = """<!-- Made by protocol/api/generate from protocol/api/*.schema.json: do not edit. -->
 # The API
 
-Every method, notification, record, limit and error. [protocol/README.md](../protocol/README.md) says how messages are exchanged, [{readme}](../{readme})
+Every method, notification, record, limit and error. [{protocol}](../{protocol}) says how messages are exchanged, [{readme}](../{readme})
 how sessions and edits work. A server answers the same as an [OpenRPC](https://open-rpc.org) document: `rpc.discover`, or `GET /openrpc.json`.
 
 - Parameters have names. An unknown one is refused; null counts as left out unless stated otherwise.
@@ -162,7 +163,7 @@ def is_told(shape):
 
 def text(api):
     always = either(kind for kind, data in api.errors.items() if data.get("x-always"))
-    lines = [INTRO.replace("{always}", always).replace("{readme}", README), "Contents: " + ", ".join(
+    lines = [INTRO.replace("{always}", always).replace("{readme}", README).replace("{protocol}", PROTOCOL), "Contents: " + ", ".join(
         f"[{api.titles[noun][0].lower()}](#{api.titles[noun][0].lower().replace(' ', '-')})" for noun in (*NOUNS, "shared", "limits", "errors"))
         + ".", ""]
     for noun in NOUNS:
