@@ -6,6 +6,7 @@ from .schema import NOUNS, either
 
 README = "protocol/api/README.md"
 PROTOCOL = "protocol/README.md"
+LEFT_OUT = "; it may be left out on a WebSocket that has joined a session, and with a share link"  # the introduction says it once
 FLOAT = 3.4028234663852886e38
 INTRO = """<!-- Made by protocol/api/generate from protocol/api/*.schema.json: do not edit. -->
 # The API
@@ -14,6 +15,7 @@ Every method, notification, record, limit and error. [{protocol}](../{protocol})
 how sessions and edits work. A server answers the same as an [OpenRPC](https://open-rpc.org) document: `rpc.discover`, or `GET /openrpc.json`.
 
 - Parameters have names. An unknown one is refused; null counts as left out unless stated otherwise.
+- `session` may be left out on a WebSocket that has joined a session, and with a share link.
 - Numbers are finite. A whole number may be written `32` or `32.0`.
 - Lengths of texts are bytes in UTF-8. Texts have no control characters unless they have several lines.
 - Every method may answer the errors {always}; the entry of a method names the others.
@@ -84,7 +86,7 @@ def range_of(node):
 
 
 def words_of(each, parameters):
-    words = each.node.words
+    words = each.node.words.removesuffix(LEFT_OUT)
     if "x-only-for" in each.node:
         words += f"; only for {either(each.node['x-only-for'])} surfaces"
     if "x-needed-for" in each.node:
