@@ -2,7 +2,7 @@
 // of those still waiting only the newest counts. A queue of edits never forms (docs/measurements.md, Edits in
 // flight).
 
-export const editsInFlight = 4;
+const editsInFlight = 4;
 
 export interface EditWindowOptions<T> {
     /** Settles when the server has answered; must not reject. */

@@ -3,8 +3,8 @@
 // can tell: a ping every 4 s must keep messages coming, and 10 s without any message count as down.
 import type { Clock, Timer } from './clock.ts';
 
-export const pingEveryMs = 4000;
-export const downAfterMs = 10_000;
+const pingEveryMs = 4000;
+const downAfterMs = 10_000;
 
 const linkEnded = 4003;
 /**
@@ -175,8 +175,8 @@ export class LiveSocket {
     }
 }
 
-export const firstWaitMs = 250;
-export const longestWaitMs = 5000;
+const firstWaitMs = 250;
+const longestWaitMs = 5000;
 
 /**
  * Waits before the next attempt to connect: doubling from 250 ms to 5 s, each drawn from its upper half so that many clients of

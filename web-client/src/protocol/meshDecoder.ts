@@ -10,7 +10,7 @@ import { type AttributeRange, WireMesh } from './wireMesh.ts';
 import { PointsReader } from './wirePoints.ts';
 
 /** Limits the bytes of an update that is not whole yet. */
-export const maxUpdateBytes = 256 << 20;
+const maxUpdateBytes = 256 << 20;
 
 /** An update in pieces, as they come. */
 interface Collected {

@@ -3,18 +3,18 @@
 import { FrameError } from './bytes.ts';
 import { maxLatticeBits } from './lattice.ts';
 
-export const frameMagic = 0x5357;
-export const frameVersion = 5;
+const frameMagic = 0x5357;
+const frameVersion = 5;
 export const frameHeaderBytes = 48;
 export const frameCrcAt = 44;
 
-export const maxFrameBytes = 4 << 20;
-export const maxMeshVertices = 1 << 24;
-export const maxMeshCells = 1 << 24;
-export const maxAttributes = 8;
+const maxFrameBytes = 4 << 20;
+const maxMeshVertices = 1 << 24;
+const maxMeshCells = 1 << 24;
+const maxAttributes = 8;
 export const maxBlockVertices = 1 << 16;
 
-export const flag = { key: 1, lossless: 2 } as const;
+const flag = { key: 1, lossless: 2 } as const;
 
 /** Says how good a state is: what is shown, and whether more is to come. */
 export const phases = ['coarse', 'refined', 'final', 'live'] as const;

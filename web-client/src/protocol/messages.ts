@@ -93,7 +93,7 @@ export function isSurfaceRecord(value: unknown): value is SurfaceRecord {
 }
 
 /** Checks of records, by the type that patches name. */
-export const recordChecks = {
+const recordChecks = {
     rake: rakeRecordCheck,
     surface: surfaceRecordCheck,
     bookmark: bookmarkRecordCheck,
@@ -219,7 +219,7 @@ export function resultCheck(method: MethodName): Check<unknown> {
 }
 
 /** Returns what is wrong in something with a name; a check of it has found that. */
-export function faultIn(what: string, fault: string): string {
+function faultIn(what: string, fault: string): string {
     return fault.startsWith(' ') ? what + fault : `in ${what}, ${fault.replace(/^\./, '')}`;
 }
 

@@ -94,9 +94,9 @@ export class PointsReader {
     }
 }
 
-export const predictorsOf = { moved: 4, appended: 6 } as const;
+const predictorsOf = { moved: 4, appended: 6 } as const;
 /** Predicts the changes of appended vertices. */
-export const changePredictor = 4;
+const changePredictor = 4;
 
 const largestChange = 1 << 20;
 
@@ -112,7 +112,7 @@ export interface Series {
     isChange?: boolean;
 }
 
-export function changeSeries({ change }: { change: Int32Array }): Series {
+function changeSeries({ change }: { change: Int32Array }): Series {
     const range = { first: -largestChange, last: largestChange };
     return { components: 3, ...range, values: change, change, changeBefore: change, isChange: true };
 }
@@ -123,14 +123,7 @@ function clamp(value: number, first: number, last: number): number {
 }
 
 /** Vertices that moved; each residual in `r` counts `scale`. */
-export function move(
-    series: Series,
-    near: Neighbours,
-    predictor: number,
-    vertices: Int32Array,
-    r: Int32Array,
-    scale: number,
-): void {
+function move(series: Series, near: Neighbours, predictor: number, vertices: Int32Array, r: Int32Array, scale: number): void {
     const { components: n, first, last, values: x, change: d, changeBefore: h } = series;
     const { highest, lowest, beside, beside2, opposite } = near;
     const remembers = h.length > 0;
@@ -157,7 +150,7 @@ export function move(
 }
 
 /** Appended vertices; the first `stayed` of the mesh were there before the update. */
-export function append(
+function append(
     { components: n, first, last, values: x, change: d }: Series,
     { highest, lowest, beside, beside2, opposite }: Neighbours,
     predictor: number,

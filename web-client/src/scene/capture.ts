@@ -198,7 +198,7 @@ export function barIn({ width, height }: ScreenSize, bar: Cover): Cover | null {
  * Enough for the labels and the scalar bar: grounds, borders, canvases and text, where they are and as they are styled. No
  * browser offers this by itself. `shift`: from the window to the picture. Elements that are skipped are so with all in them.
  */
-export function paintElement(
+function paintElement(
     context: CanvasRenderingContext2D,
     element: Element,
     shift: ScreenPoint,

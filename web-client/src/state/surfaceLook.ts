@@ -5,16 +5,16 @@ import type { SurfaceRecord, ValueRange } from '../protocol/messages.ts';
 
 export const colourMaps = ['viridis', 'cividis', 'inferno', 'plasma', 'coolToWarm', 'grey', 'turbo'] as const;
 export type ColourMap = (typeof colourMaps)[number];
-export const lineKinds = ['none', 'timelines', 'streamlines', 'grid', 'checker'] as const;
+const lineKinds = ['none', 'timelines', 'streamlines', 'grid', 'checker'] as const;
 export type LineKind = (typeof lineKinds)[number];
-export const pieceKinds = ['whole', 'timelines', 'seedlines', 'timeribbons', 'seedribbons', 'arrows'] as const;
+const pieceKinds = ['whole', 'timelines', 'seedlines', 'timeribbons', 'seedribbons', 'arrows'] as const;
 export type PieceKind = (typeof pieceKinds)[number];
-export const backSides = ['shaded', 'same', 'tinted'] as const;
+const backSides = ['shaded', 'same', 'tinted'] as const;
 export type BackSide = (typeof backSides)[number];
 
 /** Colours over what there is on the surface, or over what there is in all the data: the same at all times
  *  and on all surfaces. */
-export const rangesOf = ['surface', 'data'] as const;
+const rangesOf = ['surface', 'data'] as const;
 export type RangeOf = (typeof rangesOf)[number];
 
 type Pair = readonly [number, number];

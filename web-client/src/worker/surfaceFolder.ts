@@ -207,7 +207,7 @@ export class SurfaceFolder {
 }
 
 /** protocol/wire/README.md, Attributes: these come first, then the surface's fields. */
-export const everySurface: readonly string[] = ['speed', 's', 't'];
+const everySurface: readonly string[] = ['speed', 's', 't'];
 const epochsKept = 8;
 
 /**

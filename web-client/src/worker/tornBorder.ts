@@ -258,7 +258,7 @@ export function eachSide(cells: Int32Array, gone: Uint8Array, use: (from: number
 }
 
 /** The neighbours along the border of each vertex that is on one. */
-export function neighboursOnBorder(cells: Int32Array, vertices: number, gone: Uint8Array): Map<number, number[]> {
+function neighboursOnBorder(cells: Int32Array, vertices: number, gone: Uint8Array): Map<number, number[]> {
     const onBorder = borderOf((use) => eachSide(cells, gone, use), vertices);
     const met = new Map<number, [number, number]>();
     eachSide(cells, gone, (from, to) => {

@@ -172,7 +172,7 @@ export class WorkerClient {
 }
 
 const askEveryMs = 1000;
-export const answerWithinMs = 2000;
+const answerWithinMs = 2000;
 
 export interface WatchdogOptions {
     clock: Clock;

@@ -300,7 +300,7 @@ function sumOf(words: number[]): number {
     return Number(h ^ (h >> 15n));
 }
 
-export function stateSumOf(state: PlainState): number {
+function stateSumOf(state: PlainState): number {
     const attributes = (state.codes[0] ?? []).map((_, i) => {
         return sumOf(state.codes.map((values) => values[i]!));
     });

@@ -103,7 +103,7 @@ export function labelForm(low: number, high: number, step: number): LabelForm {
 }
 
 /** Decimals with which multiples of a step are written. */
-export function decimalsOf(step: number): number {
+function decimalsOf(step: number): number {
     return Math.min(100, Math.max(0, -Math.floor(Math.log10(step) + 1e-9)));
 }
 

@@ -307,7 +307,7 @@ export function diagonal(bounds: Bounds): number {
 }
 
 /** The nearest distance of the camera from the centre at which every corner is in the picture. */
-export function fittingDistance(bounds: Bounds, towards: Vector3, camera: PerspectiveCamera): number {
+function fittingDistance(bounds: Bounds, towards: Vector3, camera: PerspectiveCamera): number {
     const right = new Vector3().crossVectors(camera.up, towards).normalize();
     const above = new Vector3().crossVectors(towards, right);
     const tangentY = Math.tan((camera.fov * Math.PI) / 360) * filled;

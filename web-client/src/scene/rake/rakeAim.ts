@@ -113,7 +113,7 @@ export class RakeAim implements Layer {
 }
 
 /** @param handles where others are: a finger must be able to take the tip alone */
-export function arrowsAt(from: Vec3, view: View, handles: readonly (ScreenPoint | null)[] = []): Arrow[] {
+function arrowsAt(from: Vec3, view: View, handles: readonly (ScreenPoint | null)[] = []): Arrow[] {
     const start = view.project(from);
     if (start === null) return [];
     const px = view.worldPerPx(from);

@@ -146,7 +146,7 @@ export function towardsViewer(view: View): Vec3 {
 
 export type Axis = 0 | 1 | 2;
 
-export const turnStep = Math.PI / 12;
+const turnStep = Math.PI / 12;
 
 /** Returns the spacing of a grid that divides the domain's longest side into twenty to forty. */
 export function gridStep(bounds: readonly number[]): number {
@@ -158,7 +158,7 @@ export function onGrid(point: Vec3, step: number): Vec3 {
     return [toStep(point[0], step), toStep(point[1], step), toStep(point[2], step)];
 }
 
-export function toStep(value: number, step: number): number {
+function toStep(value: number, step: number): number {
     const rounded = Math.round(value / step) * step;
     // 3 * 0.1 is not 0.3; what the grid means is.
     return Number(rounded.toPrecision(12));

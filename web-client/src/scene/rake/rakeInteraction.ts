@@ -228,7 +228,7 @@ export class RakeInteraction implements PointerTool {
 }
 
 /** One handle elsewhere, and with it what hangs on it. */
-export function movedHandle(shape: RakeShape, handle: Handle, by: Vec3): RakeShape {
+function movedHandle(shape: RakeShape, handle: Handle, by: Vec3): RakeShape {
     if (handle === 'middle' || (shape.kind === 'circle' && handle === 0)) return translated(shape, by);
     if (handle === 'rotate') return shape;
     const to = plus(shape.points[handle] ?? [0, 0, 0], by);

@@ -208,14 +208,14 @@ export function between(a: Vec3, b: Vec3, part: number): Vec3 {
 }
 
 /** A vector turned about an axis of length one, counterclockwise as seen from its tip (Rodrigues). */
-export function turned(a: Vec3, axis: Vec3, angle: number): Vec3 {
+function turned(a: Vec3, axis: Vec3, angle: number): Vec3 {
     const along = times(axis, dot(axis, a) * (1 - Math.cos(angle)));
     const across = times(cross(axis, a), Math.sin(angle));
     return plus(plus(times(a, Math.cos(angle)), across), along);
 }
 
 /** Some direction at right angles to one of length one. */
-export function across(direction: Vec3): Vec3 {
+function across(direction: Vec3): Vec3 {
     const axes: Vec3[] = [
         [1, 0, 0],
         [0, 1, 0],

@@ -6,7 +6,7 @@ import { niceStep, niceTicks, shortNumber, type Tick, type Ticks } from '../base
  * The viridis colour map of matplotlib (Smith, van der Walt; CC0): 256 sRGB colours, six hex digits each, from slow to fast.
  * Perceptually uniform, readable with the common colour vision deficiencies.
  */
-export const viridisHex =
+const viridisHex =
     '44015444025645045745055946075a46085c460a5d460b5e470d60470e61471063471164471365481467481668' +
     '48176948186a481a6c481b6d481c6e481d6f481f70482071482173482374482475482576482677482878482979' +
     '472a7a472c7a472d7b472e7c472f7d46307e46327e46337f463480453581453781453882443983443a83443b84' +
@@ -27,7 +27,7 @@ export const viridisHex =
     'fde725';
 
 /** Inferno and plasma of matplotlib (Smith, van der Walt; CC0), as tabulated in d3-scale-chromatic. Both grow brighter all the way. */
-export const infernoHex =
+const infernoHex =
     '00000401000501010601010802010a02020c02020e03021004031204031405041706041907051b08051d09061f' +
     '0a07220b07240c08260d08290e092b10092d110a30120a32140b34150b37160b39180c3c190c3e1b0c411c0c43' +
     '1e0c451f0c48210c4a230c4c240c4f260c51280b53290b552b0b572d0b592f0a5b310a5c320a5e340a5f360961' +
@@ -47,7 +47,7 @@ export const infernoHex =
     'f2ea69f1ec6df1ed71f1ef75f1f179f2f27df2f482f3f586f3f68af4f88ef5f992f6fa96f8fb9af9fc9dfafda1' +
     'fcffa4';
 
-export const plasmaHex =
+const plasmaHex =
     '0d088710078813078916078a19068c1b068d1d068e20068f2206902406912605912805922a05932c05942e0595' +
     '2f059631059733059735049837049938049a3a049a3c049b3e049c3f049c41049d43039e44039e46039f48039f' +
     '4903a04b03a14c02a14e02a25002a25102a35302a35502a45601a45801a45901a55b01a55c01a65e01a66001a6' +
@@ -82,7 +82,7 @@ const white: Triple = [0.9505, 1, 1.089];
  * Diverging Color Maps for Scientific Visualization, ISVC 2009; his colours of both ends). sRGB, 0 .. 255 each, at 0 .. 1 of
  * the way.
  */
-export function coolToWarm(at: number): Triple {
+function coolToWarm(at: number): Triple {
     let [low, high] = [toMsh(ends[0]), toMsh(ends[1])];
     const middle = Math.max(low[0], high[0], leastMiddle);
     let fraction: number;

@@ -185,7 +185,7 @@ ${flowTextureGlsl}
 const lit = ['#include <lights_lambert_fragment>', '#include <lights_fragment_end>'] as const;
 
 /** @param time for how much simulation time the flow has gone  */
-export function giveTexture(material: MeshLambertMaterial, shared: SharedUniforms, time: { value: number }): void {
+function giveTexture(material: MeshLambertMaterial, shared: SharedUniforms, time: { value: number }): void {
     const before = material.onBeforeCompile.bind(material);
     const { noiseScale, noiseFrom, noise, waves, flowed } = shared;
     const own = { lineDensity: { value: 1 }, byItself: { value: false }, flowTime: time };
@@ -206,7 +206,7 @@ export function giveTexture(material: MeshLambertMaterial, shared: SharedUniform
 }
 
 /** Programs with it are made when it is first wanted. */
-export function showTexture(material: MeshLambertMaterial, texture: FlowTexture): void {
+function showTexture(material: MeshLambertMaterial, texture: FlowTexture): void {
     material.defines = textureDefines[texture];
     material.needsUpdate = true;
 }

@@ -4,7 +4,7 @@
 
 /** Larger grains along a side of what repeats, and numbers: a grain is as wide as four, or two, so that none
  *  is a stair. */
-export const noiseGrains = 48;
+const noiseGrains = 48;
 /**
  * Noise smeared in advance, once in each of many directions, all of the same noise, so that neighbours among them hardly differ
  * (line integral convolution, Cabral and Leedom 1993, over so short a way that it is straight). A pixel then needs one look-up,
@@ -14,7 +14,7 @@ export const noiseSize = 4 * noiseGrains;
 /** Over half a turn; one more is the first one the other way round. The widest gap is 3.6 degrees. */
 export const directions = 64;
 /** Larger grains that a wave is long. It is as long where grains are smaller, so that one wave moves both. */
-export const waveGrains = 5;
+const waveGrains = 5;
 /** Grains that are smeared together. */
 const smearedGrains = 14;
 /** Is that of the light: what is further from the middle than half is cut off. */
@@ -27,7 +27,7 @@ const paddedSize = noiseSize + 2 * margin;
  * Returns a direction in the plane, as the shader counts them: evenly in x / (|x| + |y|), which needs no arc
  * tangent. Returns a vector of any length; y is not negative.
  */
-export function directionOf(layer: number): [number, number] {
+function directionOf(layer: number): [number, number] {
     const x = 1 - (2 * layer) / directions;
     return [x, 1 - Math.abs(x)];
 }

@@ -68,7 +68,7 @@ function drawn(indices: Uint32Array, { attributes }: BufferGeometry): Uint32Arra
 }
 
 /** Half axes of the discs: along the side of a triangle that is longest there, and across it. */
-export function splatAxes({ positions, normals, indices, vertices }: SplatSurface): SplatAxes {
+function splatAxes({ positions, normals, indices, vertices }: SplatSurface): SplatAxes {
     const [u, v] = [new Float32Array(3 * vertices), new Float32Array(3 * vertices)];
     const longest = new Float32Array(vertices);
     const across = new Float32Array(vertices);

@@ -146,7 +146,7 @@ export class Transparency {
 }
 
 /** Is the number of layers that are drawn in their order. */
-export const peeledLayers = 4;
+const peeledLayers = 4;
 
 /** For the materials of what is peeled. */
 export function peelUniforms() {

@@ -57,7 +57,7 @@ export function frameTimes([from, to]: readonly [number, number], { fps, seconds
 }
 
 /** At most so many of them, both ends among them. */
-export function spread(times: readonly number[], most: number): number[] {
+function spread(times: readonly number[], most: number): number[] {
     if (times.length <= most) return [...times];
     return Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]!);
 }

@@ -58,7 +58,7 @@ export interface SurfaceStep {
 export type ScriptStep = CallStep | MeshStep | SurfaceStep;
 
 /** All calls that a script may make, also those that it makes only where something is missing. */
-export function callsOf(steps: readonly ScriptStep[]): (CallStep | MeshStep)[] {
+function callsOf(steps: readonly ScriptStep[]): (CallStep | MeshStep)[] {
     return steps.flatMap((step): readonly (CallStep | MeshStep)[] => ('there' in step ? step.otherwise : [step]));
 }
 
@@ -72,12 +72,12 @@ export interface ScriptPlace {
 const sessionless: ReadonlySet<string> = new Set(['server', 'dataset', 'cache', 'probe', 'rpc']);
 
 /** Returns whether a method acts on a session, and takes its id. */
-export function ofSession(method: string): boolean {
+function ofSession(method: string): boolean {
     return !sessionless.has(method.split('.')[0] ?? '') && !['session.create', 'session.list'].includes(method);
 }
 
 /** The noun of a method: what its answer calls the id of the record. */
-export function nounOf(method: string): string {
+function nounOf(method: string): string {
     return method.split('.')[0] ?? '';
 }
 

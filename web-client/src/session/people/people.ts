@@ -117,7 +117,7 @@ export class People {
     }
 }
 
-export function poseOf({ position, target, fov }: CameraPlace): CameraPose {
+function poseOf({ position, target, fov }: CameraPlace): CameraPose {
     return { position, target, orthographic: fov === undefined };
 }
 

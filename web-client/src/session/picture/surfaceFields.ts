@@ -26,7 +26,7 @@ export interface FieldsWanted {
 const dispensable: readonly (readonly string[])[] = [normalNames, [deformation], flowNames];
 
 /** Returns what a look cannot be drawn without. */
-export function neededFields(look: SurfaceLook): string[] {
+function neededFields(look: SurfaceLook): string[] {
     const colour = attributeOf(look.colourBy);
     return [...new Set([...(colour === null || colour === 'speed' ? [] : [colour]), ...(needsFlow(look) ? flowNames : [])])];
 }

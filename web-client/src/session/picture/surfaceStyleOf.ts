@@ -48,7 +48,7 @@ export function colourByField(name: string): string {
 }
 
 /** The name of what the server has to send; null for what it always sends or what is made here. */
-export function fieldOf(colourBy: string): string | null {
+function fieldOf(colourBy: string): string | null {
     if (colourBy.startsWith(fieldMark)) return colourBy.slice(fieldMark.length);
     return derived.includes(colourBy) ? colourBy : null;
 }

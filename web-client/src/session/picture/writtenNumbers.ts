@@ -15,7 +15,7 @@ const mostDecimals = 6;
 const steps = new WeakMap<readonly number[], number>();
 
 /** Returns the resolution of all time-steps and surfaces; 0 where there is only one time. */
-export function timeResolution({ dataset, surfaces }: TimeState): number {
+function timeResolution({ dataset, surfaces }: TimeState): number {
     const times = dataset.value?.times ?? [];
     const ends = [...surfaces.value.values()].flatMap(({ from, to }) => [from, to]);
     const all = [...times.slice(0, 1), ...times.slice(-1), ...ends].filter(Number.isFinite);

@@ -80,7 +80,7 @@ const mostKnown = 20;
 /** Several servers may be behind one name, each under a path of its own. */
 const kept = (): string => `sessions ${location.pathname.replace(/[^/]*$/, '')}`;
 
-export function knownSessions(): KnownSession[] {
+function knownSessions(): KnownSession[] {
     try {
         const value: unknown = JSON.parse(recall(kept()) ?? '[]');
         return Array.isArray(value) ? value.filter(isKnown) : [];

@@ -25,7 +25,7 @@ export interface Sight {
 export const nothingThere = 'There is nothing under the pointer. Point at a surface, the body or a rake.';
 
 /** Null where nothing can be seen. */
-export function aim({ pick, rakeAt }: Sight, at: ScreenPoint): Aim | null {
+function aim({ pick, rakeAt }: Sight, at: ScreenPoint): Aim | null {
     const hit = pick(at);
     if (hit !== null) return { point: hit.point, surface: hit.surface };
     const onRake = rakeAt(at);

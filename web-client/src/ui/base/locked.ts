@@ -5,7 +5,7 @@ import type { AppState } from '../../state/appState.ts';
 import { ModelElement } from './signalElement.ts';
 
 /** Empty: nothing is in the way. */
-export function lockedWords({ locked, role }: Pick<AppState, 'locked' | 'role'>): string {
+function lockedWords({ locked, role }: Pick<AppState, 'locked' | 'role'>): string {
     if (!locked.value) return '';
     return role.value === 'viewer'
         ? 'Your link is for looking: only people who can edit may do this'

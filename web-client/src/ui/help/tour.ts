@@ -36,7 +36,7 @@ export interface TourStart {
     looks: ViewState['looks']['value'];
 }
 
-export function tourStart({ state, scene, view }: Omit<TourFacts, 'touch' | 'narrow'>): TourStart {
+function tourStart({ state, scene, view }: Omit<TourFacts, 'touch' | 'narrow'>): TourStart {
     const revisions = [...state.rakes.value.values()].map(({ rake, rev }) => `${rake} ${rev}`);
     return { rakeRevisions: revisions.join(), pose: JSON.stringify(scene.controls.pose), looks: view.looks.value };
 }

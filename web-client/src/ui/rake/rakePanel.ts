@@ -18,7 +18,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, numberField, numberRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
-export const rakePanelStyles = css`
+const rakePanelStyles = css`
     fieldset {
         display: contents;
     }

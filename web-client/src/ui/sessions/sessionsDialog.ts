@@ -11,7 +11,7 @@ import { dialogStyles, ModelElement } from '../base/signalElement.ts';
 import { fileName, saveFile } from '../base/takeAway.ts';
 import { type CardActs, type Question, sessionCard, trashCard } from './sessionCard.ts';
 
-export const sessionsStyles = css`
+const sessionsStyles = css`
     dialog {
         flex-direction: column;
         width: min(980px, 94vw);

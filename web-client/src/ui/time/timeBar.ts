@@ -18,7 +18,7 @@ import { ModelElement } from '../base/signalElement.ts';
 import '../out/copyAs.ts';
 import './timeline.ts';
 
-export const timeBarStyles = css`
+const timeBarStyles = css`
     :host {
         display: block;
         padding: 6px 10px 4px;
@@ -124,7 +124,7 @@ export function timeKey(press: KeyPress, spaceTaken: boolean): TimeKey | null {
     return press.key === ' ' && !spaceTaken ? 'toggle' : null;
 }
 
-export function timeKeyOf(event: KeyboardEvent): TimeKey | null {
+function timeKeyOf(event: KeyboardEvent): TimeKey | null {
     const [target] = event.composedPath();
     const takes = target instanceof Element && target.matches(spaceTakers);
     return isTyping(event) ? null : timeKey(event, takes);

@@ -13,7 +13,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 /** A picture with two native sliders over it, whose middle lies exactly over the time they mean. */
-export const timelineStyles = css`
+const timelineStyles = css`
     :host {
         display: block;
         position: relative;
