@@ -303,7 +303,7 @@ class Case:
 
 
 def _study(session: Session, rake: Mapping[str, Any], vary: Mapping[str, Sequence[Any]], surface: Mapping[str, Any],
-          progress: Optional[ProgressTarget], timeout: Optional[float]) -> Iterator[Case]:
+           progress: Optional[ProgressTarget], timeout: Optional[float]) -> Iterator[Case]:
     """Makes a study; see `Session.study`. Parameters of the rake can be varied as well: seeds, line, ..."""
     if not vary or not all(len(values) for values in vary.values()):
         raise InvalidParameters("nothing is varied", -32602, "invalidParameters", "give vary={\"separation\": [0.1, 0.05]}")
