@@ -15,7 +15,7 @@ using wakesurf::protocol::AttributeRange;
 using wakesurf::protocol::MeshDecoder;
 using wakesurf::protocol::WireMesh;
 
-/// A decoder and its last error, which needs no memory where there is none.
+/// A decoder, and the text of its last error.
 struct Decoder {
     MeshDecoder decoder;
     std::string error;

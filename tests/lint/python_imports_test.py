@@ -1,13 +1,16 @@
-"""What the modules of python/wakesurf import of each other, at the top and inside of functions: no circle, and nothing of the optional part
-for agents outside of it. Imports for types alone, which Python does not run, may point both ways: a session has surfaces, a surface its session."""
+#!/usr/bin/env python3
+"""The modules of python/wakesurf import one another in no circle, neither at the top nor inside of functions; and only its own modules import
+the optional part for agents. Imports for types alone, which Python does not run, may point both ways: a session has surfaces, a surface its session.
+
+Standard library only. Run it alone with: python3 tests/lint/python_imports_test.py
+"""
 import ast
 import glob
 import graphlib
 import os
 import unittest
 
-from real_server import ROOT
-
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PACKAGE = os.path.join(ROOT, "python/wakesurf")
 
 
