@@ -297,7 +297,7 @@ core::Result<VtkFile> load(const ListedFile& file, const WantedArrays& wanted) {
     reader->SetFileName(file.path.c_str());
     if (reader->CanReadFile(file.path.c_str()) == 0)
         return core::fail(Error::Code::Corrupt,
-                          file.name + " is not of the type that its name says");
+                          file.name + " is not of the type that its header names");
     const auto update = [&]() -> core::Result<void> {
         reader->UpdateInformation();
         if (auto clean = messages.verdict(file.name); !clean)
