@@ -1,14 +1,13 @@
 #include "importer/conversion.hpp"
 
-#include "importer/base/notes.hpp"
 #include "importer/base/one_thread.hpp"
+#include "importer/base/text.hpp"
 #include "importer/first_step.hpp"
 #include "importer/import_plan.hpp"
-#include "importer/kept_steps.hpp"
+#include "importer/import_store.hpp"
 #include "importer/sources/open_source.hpp"
 #include "importer/sources/series/series_times.hpp"
 #include "importer/step_workers.hpp"
-#include "importer/store_description.hpp"
 #include "store/brick_mask.hpp"
 #include "store/store_grid.hpp"
 
@@ -244,13 +243,13 @@ class Conversion {
             ranged_ = true;
         }
         for (std::size_t i = 0; i < plan_.times.size(); ++i) {
-            if (earlier.kept[i] && !before.complete) {
+            if (earlier.reusable[i] && !before.complete) {
                 const auto record = recorded(*earlier.reader, i, reading_.first.mask.fluid);
-                earlier.kept[i] = record.has_value();
+                earlier.reusable[i] = record.has_value();
                 if (record)
                     include_record(i, *record);
             }
-            if (!earlier.kept[i])
+            if (!earlier.reusable[i])
                 todo_.push_back(i);
         }
         return write_manifest().map([](int) {});
@@ -350,8 +349,8 @@ class Conversion {
         include_record(index, record);
         // With its range the store can be opened from the first time-step on.
         if (index == 0)
-            if (auto told = write_manifest(); !told)
-                return tl::unexpected(told.error());
+            if (auto written = write_manifest(); !written)
+                return tl::unexpected(written.error());
         if (auto finished = writer_.finish_step(index, record.checksums); !finished)
             return finished;
         ++written_;
@@ -426,7 +425,8 @@ void note_what_ends_an_import(const ImportPlan& plan,
 
 bool up_to_date(const EarlierImport& earlier) {
     return earlier.same_source && earlier.manifest.complete &&
-           std::find(earlier.kept.begin(), earlier.kept.end(), false) == earlier.kept.end();
+           std::find(earlier.reusable.begin(), earlier.reusable.end(), false) ==
+               earlier.reusable.end();
 }
 
 } // namespace

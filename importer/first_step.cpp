@@ -3,7 +3,7 @@
 #include "importer/assembly/node_values.hpp"
 #include "importer/assembly/same_mesh.hpp"
 #include "importer/assembly/wall_assembly.hpp"
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,14 +23,14 @@ bool is_of_points(const ImportPlan& plan) {
 
 // Hands out the velocities at all points of the first two time-steps and the last, or of all; those that cannot
 // be read are reported when the import reaches them.
-core::Result<void> look_at(const ImportPlan& plan,
-                           FirstStepReading& reading,
-                           bool all,
-                           const std::function<void(std::span<const float>)>& look) {
+core::Result<void> visit_velocities(const ImportPlan& plan,
+                                    FirstStepReading& reading,
+                                    bool all,
+                                    const std::function<void(std::span<const float>)>& take) {
     const auto first = point_values(reading.step.blocks, plan.choice.velocity);
     if (!first)
         return tl::unexpected(first.error());
-    look(*first);
+    take(*first);
     const std::size_t end = plan.times.size();
     for (std::size_t index = 1; index < end; ++index) {
         if (!all && index > 1 && index + 1 < end)
@@ -39,7 +39,7 @@ core::Result<void> look_at(const ImportPlan& plan,
         if (!step || !take_mesh_of(plan, reading.first, index, *step))
             continue;
         if (const auto values = point_values(step->blocks, plan.choice.velocity))
-            look(*values);
+            take(*values);
         if (index + 1 == end)
             reading.last = std::move(*step);
     }
@@ -160,8 +160,8 @@ read_first_step(const ImportPlan& plan, bool with_last, bool with_all) {
     first.blocks = without_values(reading.step.blocks);
     AssemblyRequest request{first.mask.solid, of_cells};
     if (is_of_points(plan))
-        request.velocities = [&](const auto& look) {
-            return look_at(plan, reading, with_all, look);
+        request.velocities = [&](const auto& take) {
+            return visit_velocities(plan, reading, with_all, take);
         };
     auto assembly = assemble_grid(reading.step.blocks, request).map_error(about);
     if (!assembly)

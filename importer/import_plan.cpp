@@ -1,14 +1,14 @@
 #include "importer/import_plan.hpp"
 
 #include "importer/assembly/obstacle_mask.hpp"
-#include "importer/base/notes.hpp"
-#include "importer/base/progress_marks.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/base/text.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/repeated_planes.hpp"
-#include "importer/sources/blocks/even_slabs.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/open_source.hpp"
 #include "importer/sources/series/series_times.hpp"
-#include "importer/step_fields.hpp"
+#include "importer/step_selection.hpp"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

@@ -4,9 +4,9 @@
 #include "core/base/result.hpp"
 #include "importer/base/source.hpp"
 #include "importer/fields/field_choice.hpp"
-#include "importer/time_selection.hpp"
+#include "importer/step_selection.hpp"
 #include "store/command/source_options.hpp"
-#include "store/step_placement.hpp"
+#include "store/store_layout.hpp"
 #include "store/store_manifest.hpp"
 
 #include <filesystem>

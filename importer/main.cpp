@@ -1,22 +1,19 @@
 // wakesurf-import: anything VTK reads -> a store, in a process of its own, so that a hostile or damaged file
 // harms nothing else.
 #include "core/base/plain_text.hpp"
-#include "importer/base/failure_words.hpp"
+#include "importer/base/library_messages.hpp"
 #include "importer/base/limited_rights.hpp"
-#include "importer/base/own_output.hpp"
-#include "importer/base/progress_marks.hpp"
-#include "importer/base/told_words.hpp"
+#include "importer/base/reading_bounds.hpp"
 #include "importer/base/watched_process.hpp"
 #include "importer/conversion.hpp"
 #include "importer/level_message.hpp"
 #include "importer/level_sets.hpp"
 #include "importer/rake_file.hpp"
-#include "importer/sources/files/named_path.hpp"
-#include "importer/sources/openfoam/openfoam_scan.hpp"
+#include "importer/sources/files/source_files.hpp"
+#include "importer/sources/openfoam/openfoam_case.hpp"
 #include "importer/step_workers.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "store/command/layout_option.hpp"
 #include "store/command/manual_page.hpp"
 #include "store/command/memory_size.hpp"
 #include "store/command/source_options.hpp"
@@ -46,7 +43,7 @@ struct Wish {
     importer::ImportBounds bounds;
     std::string store; ///< empty: describe the source only
     bool show_libraries = false;
-    bool told_to_others = false;
+    bool errors_are_shared = false;
     std::vector<std::filesystem::path> secrets; ///< of the server that started this
     std::string rake; ///< "line" or "points": print those of the source, a rake's file; else empty
     int parent = 0;   ///< ends with this process; 0: with none
@@ -153,8 +150,8 @@ int read_and_convert(const Wish& wish) {
     if (!wish.request.taken.confined)
         importer::allow_paths_out_of_folder();
     store::end_on_signals({}, importer::end_step_workers);
-    if (wish.told_to_others)
-        importer::tell_library_words_to(out.errors);
+    if (wish.errors_are_shared)
+        importer::send_library_messages_to(out.errors);
     // Every time-step needs as much memory as the one before: freed memory is kept, not returned and cleared
     // again.
     ::mallopt(M_MMAP_MAX, 0);
@@ -268,7 +265,7 @@ int main(int argc, char** argv) {
            "--growing", wish.request.growing,
            "keep the time of a time-step that cannot be read yet, and end there with an error")
         ->group("");
-    app.add_flag("--told-to-others", wish.told_to_others,
+    app.add_flag("--told-to-others", wish.errors_are_shared,
                  "print what libraries say in lines of its own, not in errors")
         ->group("");
     app.add_option("--secret", wish.secrets, "a file or folder that is not read, whoever names it")

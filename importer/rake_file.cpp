@@ -1,9 +1,7 @@
 #include "importer/rake_file.hpp"
 
-#include "importer/base/lower_case.hpp"
-#include "importer/sources/files/file_names.hpp"
-#include "importer/sources/vtk/legacy_file.hpp"
-#include "importer/sources/vtk/xml_file.hpp"
+#include "importer/base/text.hpp"
+#include "importer/sources/vtk/vtk_file.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCleanPolyData.h>

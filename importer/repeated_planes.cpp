@@ -2,7 +2,7 @@
 
 #include "importer/assembly/grid_assembly.hpp"
 #include "importer/assembly/node_values.hpp"
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -161,7 +161,7 @@ struct PlaneChanges {
     double across = 0.0; ///< of the last plane to the first
     double beside = 0.0; ///< of both to those beside them, half of them
 
-    void look(std::span<const float> velocity, const Size& size, std::size_t axis) {
+    void add(std::span<const float> velocity, const Size& size, std::size_t axis) {
         const auto last = static_cast<std::size_t>(size[axis] - 1);
         const std::array<std::size_t, 3> stride{1, static_cast<std::size_t>(size[0]),
                                                 static_cast<std::size_t>(size[0]) *
@@ -233,7 +233,7 @@ core::Result<std::string> add_repeated_planes(std::unique_ptr<Source>& source,
         const Size size = points_along(*step->blocks.front());
         for (std::size_t axis = 0; axis < 3; ++axis)
             if (axes[axis] && size[axis] > 1)
-                changes[axis].look(*velocity, size, axis);
+                changes[axis].add(*velocity, size, axis);
         if (index == 0)
             first = std::move(*step);
         if (steps.size() == 1)

@@ -3,7 +3,6 @@
 #include "core/base/half.hpp"
 #include "core/base/vec3.hpp"
 #include "importer/assembly/node_values.hpp"
-#include "importer/assembly/reordered_mesh.hpp"
 #include "importer/assembly/same_mesh.hpp"
 #include "store/value_writing.hpp"
 

@@ -1,11 +1,11 @@
 #include "importer/step_workers.hpp"
 
 #include "core/base/result.hpp"
-#include "importer/base/failure_words.hpp"
-#include "importer/base/progress_marks.hpp"
+#include "importer/base/library_messages.hpp"
+#include "importer/base/reading_bounds.hpp"
 #include "importer/step_conversion.hpp"
+#include "store/file_writing.hpp"
 #include "store/store_writer.hpp"
-#include "store/whole_bytes.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -249,18 +249,18 @@ class Workers {
 
     core::Result<void> wait() {
         std::vector<pollfd> polled;
-        std::vector<Worker*> asked;
+        std::vector<Worker*> busy;
         for (auto& worker : workers_)
             if (worker.step) {
                 polled.push_back({worker.results, POLLIN, 0});
-                asked.push_back(&worker);
+                busy.push_back(&worker);
             }
         while (::poll(polled.data(), polled.size(), -1) < 0)
             if (errno != EINTR)
                 return core::fail(Error::Code::Io, "cannot wait for the converting processes");
         for (std::size_t i = 0; i < polled.size(); ++i)
             if (polled[i].revents != 0)
-                take(*asked[i]);
+                take(*busy[i]);
         return {};
     }
 

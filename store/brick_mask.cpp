@@ -55,9 +55,9 @@ write_mask(StoreWriter& writer, const StoreLayout& layout, const NextMask& next)
     if (!slabs.complete())
         throw std::logic_error("a mask has fewer bytes than its grid has nodes");
     auto at = mixed.begin();
-    bool told = false;
+    bool given = false;
     return writer.write(name, [&]() -> Result<std::span<const std::byte>> {
-        if (!std::exchange(told, true))
+        if (!std::exchange(given, true))
             return std::as_bytes(std::span<const std::uint8_t>(states));
         if (at == mixed.end())
             return std::span<const std::byte>();

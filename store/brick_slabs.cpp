@@ -1,7 +1,5 @@
 #include "store/brick_slabs.hpp"
 
-#include "store/brick_rows.hpp"
-
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>

@@ -197,8 +197,8 @@ class Generation {
             show_({"generate", step + 1, steps, file_of(step), {}});
             // From its first time-step on the store can be opened.
             if (step == 0 || step + 1 == steps)
-                if (auto told = write_manifest(writer, step + 1 == steps); !told)
-                    return told;
+                if (auto written = write_manifest(writer, step + 1 == steps); !written)
+                    return written;
         }
         show_({"done", steps, steps, {}, {}});
         return {};

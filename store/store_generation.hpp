@@ -6,7 +6,7 @@
 #include "core/dataset/dataset_info.hpp"
 #include "core/dataset/grid.hpp"
 #include "store/import_progress.hpp"
-#include "store/step_placement.hpp"
+#include "store/store_layout.hpp"
 
 #include <filesystem>
 #include <functional>

@@ -1,13 +1,74 @@
 #include "store/store_layout.hpp"
 
-#include "store/brick_index.hpp"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <string>
 
 namespace wakesurf::store {
+
+using core::Error;
+using core::GridKind;
+
+core::Result<StepPlacement> parse_step_placement(std::string_view text) {
+    if (text == "auto")
+        return StepPlacement::Auto;
+    if (text == "whole")
+        return StepPlacement::Whole;
+    if (text == "bricks")
+        return StepPlacement::Bricks;
+    return core::fail(Error::Code::InvalidArgument,
+                      "--layout: '" + std::string(text) + "' is none of auto, whole and bricks");
+}
+
+core::Result<std::uint32_t> brick_cells_for(StepPlacement placement, const StoredGrid& grid) {
+    const bool cells = grid.kind != GridKind::Uniform && grid.kind != GridKind::Rectilinear;
+    if (cells && placement == StepPlacement::Bricks)
+        return core::fail(Error::Code::Unsupported,
+                          "--layout bricks: only uniform and rectilinear grids lie in bricks, not "
+                          "meshes of cells",
+                          "leave --layout out");
+    const bool large = step_file_size(grid.nodes(), 3, core::Precision::Single) > whole_at_most;
+    if (cells || placement == StepPlacement::Whole || (placement == StepPlacement::Auto && !large))
+        return 0;
+    return core::BrickLayout::usual_cells;
+}
+
+bool goes_on(StepPlacement placement, std::uint32_t brick_cells) {
+    return placement == StepPlacement::Auto ||
+           (placement == StepPlacement::Bricks) == (brick_cells != 0);
+}
+
+bool BrickIndex::any_gap() const {
+    return std::any_of(gaps.begin(), gaps.end(), [](std::uint8_t gap) { return gap != 0; });
+}
+
+std::vector<std::byte> brick_index_bytes(const BrickIndex& index) {
+    std::vector<std::byte> out(BrickIndex::bytes(index.checksums.size()));
+    const auto sums = std::as_bytes(std::span(index.checksums));
+    const auto gaps = std::as_bytes(std::span(index.gaps));
+    std::copy(gaps.begin(), gaps.end(), std::copy(sums.begin(), sums.end(), out.begin()));
+    return out;
+}
+
+core::Result<BrickIndex> parse_brick_index(std::span<const std::byte> bytes, std::size_t bricks) {
+    const auto corrupt = [](std::string message) {
+        return core::fail(core::Error::Code::Corrupt, std::move(message),
+                          "import the dataset again");
+    };
+    if (bytes.size() != BrickIndex::bytes(bricks))
+        return corrupt("has " + std::to_string(bytes.size()) + " bytes instead of " +
+                       std::to_string(BrickIndex::bytes(bricks)));
+    BrickIndex index(bricks);
+    const auto sums = std::as_writable_bytes(std::span(index.checksums));
+    const auto gaps = bytes.subspan(sums.size());
+    std::copy_n(bytes.begin(), sums.size(), sums.begin());
+    std::copy(gaps.begin(), gaps.end(), std::as_writable_bytes(std::span(index.gaps)).begin());
+    if (std::any_of(index.gaps.begin(), index.gaps.end(), [](std::uint8_t gap) { return gap > 1; }))
+        return corrupt("says of a brick neither that it has gaps nor that it has none");
+    return index;
+}
 
 using core::Error;
 using core::fail;

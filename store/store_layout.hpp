@@ -9,10 +9,12 @@
 #include "core/dataset/grid.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -107,5 +109,50 @@ void mark_stored(const StoreLayout& layout, core::DatasetInfo& info);
 
 /// Returns the index into the layout's scalars. Error: NotFound, listing what there is.
 core::Result<std::size_t> find_scalar(const StoreLayout& layout, std::string_view name);
+
+/// The index of the bricks of a field at a time-step, in files like velocity_000000.bricks. Bricks are in the order of the file (BrickLayout::place_on_disk).
+struct BrickIndex {
+    std::vector<std::uint32_t> checksums; ///< CRC-32C of a brick's bytes
+    std::vector<std::uint8_t> gaps;       ///< 1: some of its values are not finite; else 0
+
+    explicit BrickIndex(std::size_t bricks) : checksums(bricks), gaps(bricks) {}
+
+    /// Returns the bytes of the file: all checksums, then all gaps.
+    static constexpr std::uint64_t bytes(std::uint64_t bricks) { return 5 * bricks; }
+
+    bool any_gap() const;
+
+    bool operator==(const BrickIndex&) const = default;
+};
+
+std::vector<std::byte> brick_index_bytes(const BrickIndex& index);
+
+/// Parses the file. Error: Corrupt for another size, and a gap that is neither 0 nor 1; to be read after the
+/// file's name.
+core::Result<BrickIndex> parse_brick_index(std::span<const std::byte> bytes, std::size_t bricks);
+
+/// The choice of whole time-steps or bricks for a new store.
+enum class StepPlacement {
+    /// Uses bricks where a time-step's velocity is larger than whole_at_most; a store that is gone on with
+    /// stays as it was begun.
+    Auto,
+    Whole,
+    Bricks
+};
+
+/// A size in bytes, in single precision. A time-step of this size is read in a second or two, and four of
+/// them fit into the memory of most machines. It is the same everywhere: a store does not depend on the
+/// machine it was made on.
+inline constexpr std::uint64_t whole_at_most = std::uint64_t{1} << 30;
+
+/// Parses auto, whole or bricks. Error: InvalidArgument.
+core::Result<StepPlacement> parse_step_placement(std::string_view text);
+
+/// Returns StoreLayout::brick_cells of a grid; 0 of a mesh of cells. Error: Unsupported for Bricks of a mesh
+/// of cells.
+core::Result<std::uint32_t> brick_cells_for(StepPlacement placement, const StoredGrid& grid);
+
+/// A store that was begun with bricks of so many cells is what was asked for.
+bool goes_on(StepPlacement placement, std::uint32_t brick_cells);
 
 } // namespace wakesurf::store

@@ -3,8 +3,7 @@
 #include "core/base/crc32c.hpp"
 #include "core/base/half.hpp"
 #include "store/brick_mask.hpp"
-#include "store/brick_rows.hpp"
-#include "store/file_bricks.hpp"
+#include "store/brick_slabs.hpp"
 #include "store/finite_values.hpp"
 #include "store/store_grid.hpp"
 #include "store/stored_bricks.hpp"
@@ -283,9 +282,9 @@ Result<bool> StoreReader::read_bricks(std::size_t column,
         std::vector<std::span<float>> to;
         for (std::size_t i = 0; i < std::min(at_once, layout.count() - place); ++i)
             to.push_back(std::span(values).subspan(i * brick_values, brick_values));
-        const auto take = [&](std::size_t i, Result<void> told) {
-            if (!told && outcome)
-                outcome = std::move(told);
+        const auto take = [&](std::size_t i, Result<void> result) {
+            if (!result && outcome)
+                outcome = std::move(result);
             const auto* const brick = reinterpret_cast<const std::byte*>(to[i].data());
             for_rows_of(layout, stored_bricks_->brick_at(place + i),
                         [&](std::size_t from, std::size_t first, std::size_t nodes) {

@@ -1,8 +1,8 @@
 #include "store/store_writer.hpp"
 
 #include "core/base/crc32c.hpp"
+#include "store/file_writing.hpp"
 #include "store/stored_families.hpp"
-#include "store/whole_bytes.hpp"
 
 #include <fcntl.h>
 #include <signal.h>

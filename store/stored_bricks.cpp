@@ -7,8 +7,98 @@
 #include <cstring>
 #include <new>
 #include <ranges>
+#include <tuple>
+#include <utility>
 
 namespace wakesurf::store {
+
+using core::BrickRead;
+using core::Error;
+
+namespace {
+
+constexpr std::size_t run_bytes = std::size_t{2} << 20;
+
+} // namespace
+
+struct FileBricks::Request {
+    std::vector<BrickRead> reads;
+    std::vector<std::size_t> order; ///< of those that can be read: as they lie in the files
+    std::stop_token stop;
+    Done done;
+};
+
+bool FileBricks::there_is(const BrickRead& read) const {
+    return read.step < bricks_.steps() && read.field < bricks_.columns() &&
+           read.brick < layout().count();
+}
+
+std::string FileBricks::name_of(const BrickRead& read) const {
+    return there_is(read) ? bricks_.name_of(read.field, read.step, read.brick)
+                          : "brick " + std::to_string(read.brick) + " of time-step " +
+                                std::to_string(read.step);
+}
+
+void FileBricks::read(std::vector<BrickRead> reads, std::stop_token stop, Done done) const {
+    const auto request =
+        std::make_shared<Request>(Request{std::move(reads), {}, std::move(stop), std::move(done)});
+    for (std::size_t i = 0; i < request->reads.size(); ++i) {
+        const BrickRead& one = request->reads[i];
+        if (!there_is(one))
+            request->done(i, core::fail(Error::Code::NotFound, "there is no " + name_of(one)));
+        else if (one.to.size() != bricks_.values(one.field))
+            request->done(i,
+                          core::fail(Error::Code::InvalidArgument,
+                                     name_of(one) + ": there is room for another number of nodes"));
+        else
+            request->order.push_back(i);
+    }
+    const auto where = [&](std::size_t i) {
+        const BrickRead& one = request->reads[i];
+        return std::tuple(one.step, one.field, bricks_.place_of(one.brick));
+    };
+    std::sort(request->order.begin(), request->order.end(),
+              [&](auto a, auto b) { return where(a) < where(b); });
+    const auto& order = request->order;
+    const std::size_t share = (order.size() + readers_ - 1) / readers_;
+    std::vector<core::WorkerThreads::Work> work;
+    for (std::size_t begin = 0, end = 0; begin < order.size(); begin = end) {
+        const BrickRead& first = request->reads[order[begin]];
+        const std::size_t most = std::clamp<std::size_t>(
+            run_bytes / bricks_.stored_bytes(first.field), 1, std::max<std::size_t>(1, share));
+        auto next = where(order[begin]);
+        while (end < order.size() && end - begin < most && where(order[end]) == next) {
+            ++end;
+            ++std::get<2>(next);
+        }
+        work.emplace_back(
+            [this, request, begin, end](bool ending) { read_run(*request, begin, end, ending); });
+    }
+    threads_.add(std::move(work));
+}
+
+void FileBricks::read_run(const Request& request,
+                          std::size_t begin,
+                          std::size_t end,
+                          bool ending) const {
+    const auto which = std::span(request.order).subspan(begin, end - begin);
+    if (ending || request.stop.stop_requested()) {
+        for (const std::size_t i : which)
+            request.done(i, core::fail(Error::Code::Cancelled,
+                                       "reading " + name_of(request.reads[i]) + " was cancelled"));
+        return;
+    }
+    std::vector<std::span<float>> to;
+    for (const std::size_t i : which)
+        to.push_back(request.reads[i].to);
+    const BrickRead& first = request.reads[which.front()];
+    bricks_.read(
+        first.field, first.step, bricks_.place_of(first.brick), to,
+        [&](std::size_t i, core::Result<void> outcome) {
+            request.done(which[i], std::move(outcome));
+        },
+        request.stop);
+}
 
 using core::Error;
 using core::fail;
@@ -18,8 +108,8 @@ using core::Result;
 
 namespace {
 
-constexpr std::size_t kept_bytes = std::size_t{16} << 20;
-constexpr std::size_t fewest_kept = 8;
+constexpr std::size_t recent_bytes = std::size_t{16} << 20;
+constexpr std::size_t fewest_recent = 8;
 constexpr std::size_t bytes_known = 6; // of a brick: BrickIndex, and whether it is checked
 
 } // namespace
@@ -30,12 +120,12 @@ StoredBricks::StoredBricks(StoreLayout layout,
     : layout_(std::move(layout)), disk_(std::move(disk)), expected_(std::move(expected)),
       bricks_(layout_.bricks()) {}
 
-std::size_t StoredBricks::most_kept() const {
-    return std::max(fewest_kept, kept_bytes / (bytes_known * bricks_.count()));
+std::size_t StoredBricks::most_recent() const {
+    return std::max(fewest_recent, recent_bytes / (bytes_known * bricks_.count()));
 }
 
 std::size_t StoredBricks::memory() const {
-    const std::size_t files = std::min(most_kept(), steps() * columns());
+    const std::size_t files = std::min(most_recent(), steps() * columns());
     return layout_.checked ? files * bytes_known * bricks_.count() : 0;
 }
 
@@ -51,14 +141,14 @@ Result<bool> StoredBricks::gaps(std::size_t column, std::size_t index) const {
 }
 
 // Returns nothing if what is known is of another file than `file`.
-StoredBricks::KnownFile StoredBricks::kept(const Key& key,
-                                           const std::optional<FileIdentity>& file) const {
+StoredBricks::KnownFile StoredBricks::recent(const Key& key,
+                                             const std::optional<FileIdentity>& file) const {
     const std::scoped_lock lock(mutex_);
-    const auto found = std::find_if(kept_.begin(), kept_.end(),
+    const auto found = std::find_if(recent_.begin(), recent_.end(),
                                     [&](const auto& each) { return each.first == key; });
-    if (found == kept_.end() || (file && found->second->file != *file))
+    if (found == recent_.end() || (file && found->second->file != *file))
         return nullptr;
-    kept_.splice(kept_.begin(), kept_, found);
+    recent_.splice(recent_.begin(), recent_, found);
     return found->second;
 }
 
@@ -66,23 +156,23 @@ Result<StoredBricks::KnownFile> StoredBricks::known(std::size_t column,
                                                     std::size_t index,
                                                     const std::optional<FileIdentity>& file) const {
     const Key key{index, column};
-    if (auto found = kept(key, file))
+    if (auto found = recent(key, file))
         return found;
-    const std::scoped_lock one_looks(looking_[(index * columns() + column) % looking_.size()]);
-    if (auto found = kept(key, file)) // another thread was as fast
+    const std::scoped_lock one_thread(examining_[(index * columns() + column) % examining_.size()]);
+    if (auto found = recent(key, file)) // another thread was as fast
         return found;
-    auto looked = look_at(column, index);
-    if (!looked)
-        return looked;
+    auto examined = examine(column, index);
+    if (!examined)
+        return examined;
     const std::scoped_lock lock(mutex_);
-    std::erase_if(kept_, [&](const auto& each) { return each.first == key; });
-    kept_.emplace_front(key, *looked);
-    if (kept_.size() > most_kept())
-        kept_.pop_back();
-    return looked;
+    std::erase_if(recent_, [&](const auto& each) { return each.first == key; });
+    recent_.emplace_front(key, *examined);
+    if (recent_.size() > most_recent())
+        recent_.pop_back();
+    return examined;
 }
 
-Result<StoredBricks::KnownFile> StoredBricks::look_at(std::size_t column, std::size_t index) const {
+Result<StoredBricks::KnownFile> StoredBricks::examine(std::size_t column, std::size_t index) const {
     const auto expected = expected_(column, index);
     if (!expected)
         return tl::unexpected(expected.error());
@@ -140,12 +230,12 @@ void StoredBricks::read(std::size_t column,
                         std::size_t index,
                         std::size_t place,
                         std::span<const std::span<float>> to,
-                        const Told& told,
+                        const OnBrick& on_brick,
                         const std::stop_token& stop) const {
-    std::size_t next = 0; // of those that were told of
+    std::size_t next = 0; // of those that were on_brick of
     const auto tell = [&](Result<void> outcome) {
         const std::size_t which = next++;
-        told(which, std::move(outcome).map_error([&](Error error) {
+        on_brick(which, std::move(outcome).map_error([&](Error error) {
             error.message = name_of(column, index, brick_at(place + which)) + ": " + error.message;
             return error;
         }));

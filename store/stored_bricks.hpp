@@ -1,11 +1,12 @@
-// Bricks of a store's files, read in the calling thread and checked. The files' time-steps as wholes
-// (store/store_reader.hpp) and the source of bricks (store/file_bricks.hpp) are made of it.
+// Bricks of a store's files, read and checked: in the calling thread, of which whole time-steps (store/store_reader.hpp) are made, or
+// by a few threads, as the source below core/dataset/brick_cache.hpp where data are on a disk.
 #pragma once
 
 #include "core/base/disk.hpp"
 #include "core/base/result.hpp"
+#include "core/base/worker_threads.hpp"
 #include "core/dataset/brick_layout.hpp"
-#include "store/brick_index.hpp"
+#include "core/dataset/brick_source.hpp"
 #include "store/store_layout.hpp"
 
 #include <array>
@@ -35,8 +36,8 @@ class StoredBricks {
     using Expected =
         std::function<core::Result<std::uint32_t>(std::size_t column, std::size_t index)>;
 
-    /// Told of each brick of a read, by its index there.
-    using Told = std::function<void(std::size_t which, core::Result<void> outcome)>;
+    /// Called for each brick of a read, with its index there.
+    using OnBrick = std::function<void(std::size_t which, core::Result<void> outcome)>;
 
     /// Opens the bricks. REQUIRES: check_layout(layout), and brick_cells is not 0.
     StoredBricks(StoreLayout layout, std::shared_ptr<const core::Disk> disk, Expected expected);
@@ -76,7 +77,7 @@ class StoredBricks {
               std::size_t index,
               std::size_t place,
               std::span<const std::span<float>> to,
-              const Told& told,
+              const OnBrick& on_brick,
               const std::stop_token& stop = {}) const;
 
     /// Returns "brick 17 of time-step 3 (velocity_000003.f32)".
@@ -98,9 +99,9 @@ class StoredBricks {
     core::Result<KnownFile> known(std::size_t column,
                                   std::size_t index,
                                   const std::optional<core::FileIdentity>& file) const;
-    std::size_t most_kept() const;
-    KnownFile kept(const Key& key, const std::optional<core::FileIdentity>& file) const;
-    core::Result<KnownFile> look_at(std::size_t column, std::size_t index) const;
+    std::size_t most_recent() const;
+    KnownFile recent(const Key& key, const std::optional<core::FileIdentity>& file) const;
+    core::Result<KnownFile> examine(std::size_t column, std::size_t index) const;
     core::Result<void>
     check(std::size_t column, std::size_t index, std::uint32_t found, std::uint32_t written) const;
 
@@ -109,9 +110,37 @@ class StoredBricks {
     Expected expected_;
     core::BrickLayout bricks_;
     /// Each guards a file: one thread reads its index for all.
-    mutable std::array<std::mutex, 16> looking_;
-    mutable std::mutex mutex_;                          ///< guards kept_
-    mutable std::list<std::pair<Key, KnownFile>> kept_; ///< used last first
+    mutable std::array<std::mutex, 16> examining_;
+    mutable std::mutex mutex_;                            ///< guards recent_
+    mutable std::list<std::pair<Key, KnownFile>> recent_; ///< used last first
+};
+
+/// Reads that are neighbours in the file become one, of up to 2 MiB, as long as every thread has something to
+/// do. Thread safety: concurrent calls are fine.
+class FileBricks final : public core::BrickSource {
+  public:
+    /// @param bricks   lives as long as this
+    /// @param threads  that read; they begin with the first read
+    explicit FileBricks(const StoredBricks& bricks, std::size_t threads = 4)
+        : bricks_(bricks), readers_(threads), threads_(threads) {}
+
+    const core::BrickLayout& layout() const override { return bricks_.layout(); }
+
+    /// True also where that cannot be read: reading its bricks says why.
+    bool gaps(std::size_t step) const override { return bricks_.gaps(0, step).value_or(true); }
+
+    void read(std::vector<core::BrickRead> reads, std::stop_token stop, Done done) const override;
+
+  private:
+    struct Request;
+
+    bool there_is(const core::BrickRead& read) const;
+    std::string name_of(const core::BrickRead& read) const;
+    void read_run(const Request& request, std::size_t begin, std::size_t end, bool ending) const;
+
+    const StoredBricks& bricks_;
+    std::size_t readers_;
+    mutable core::WorkerThreads threads_; ///< last: they use what is above
 };
 
 } // namespace wakesurf::store

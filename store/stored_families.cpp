@@ -4,7 +4,7 @@
 #include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
-#include "store/folder_changes.hpp"
+#include "store/file_writing.hpp"
 #include "store/store_layout.hpp"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 #include "store/value_marks.hpp"
 
-#include "store/store_layout_json.hpp"
+#include "store/store_manifest.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -78,11 +78,11 @@ bool ValueMarks::continues(const ValueMarks& before) const {
 bool ValueMarks::contradicts(std::string_view text) const {
     while (!text.empty()) {
         const auto end = std::min(text.find(' '), text.size());
-        const std::string_view told = text.substr(0, end);
+        const std::string_view mark = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         std::size_t count = 0;
-        const auto read = std::from_chars(told.data(), told.data() + told.size(), count);
-        if (read.ec == std::errc() && count <= steps() && told != word(count))
+        const auto read = std::from_chars(mark.data(), mark.data() + mark.size(), count);
+        if (read.ec == std::errc() && count <= steps() && mark != word(count))
             return true;
     }
     return false;

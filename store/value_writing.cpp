@@ -2,9 +2,9 @@
 
 #include "core/base/crc32c.hpp"
 #include "core/base/half.hpp"
-#include "store/brick_index.hpp"
 #include "store/brick_slabs.hpp"
 #include "store/finite_values.hpp"
+#include "store/store_layout.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // A built-in flow as the bricks of a grid that no disk needs to hold: what reads them is real, only the data
 // are made when they are asked for. For tests and benchmarks of what pages bricks. Beside
-// store/file_bricks.hpp on the path.
+// store/stored_bricks.hpp on the path.
 #pragma once
 
 #include "core/base/worker_threads.hpp"

@@ -3,8 +3,8 @@
 #include "core/base/result.hpp"
 #include "core/dataset/grid.hpp"
 #include "importer/assembly/mesh_assembly.hpp"
-#include "importer/base/notes.hpp"
 #include "importer/base/slab_mark.hpp"
+#include "importer/base/text.hpp"
 #include "store/store_grid.hpp"
 
 #include <vtkCellData.h>

@@ -2,12 +2,10 @@
 
 #include "core/dataset/cell_neighbours.hpp"
 #include "importer/assembly/block_cells.hpp"
-#include "importer/assembly/cell_volume.hpp"
-#include "importer/assembly/disjoint_sets.hpp"
 #include "importer/assembly/mesh_parts.hpp"
 #include "importer/assembly/point_merging.hpp"
 #include "importer/assembly/polyhedron_cutter.hpp"
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 
 #include <vtkPointSet.h>
 #include <vtkPoints.h>
@@ -161,11 +159,11 @@ class MeshAssembly {
             const auto at = [&](std::uint32_t p) { return points_.at[points_.first[b] + p]; };
             static_cast<void>(visit_cells(b, [&](const BlockCell& cell, std::size_t, bool) {
                 double shortest = HUGE_VAL;
-                const auto look = [&](std::uint32_t p, std::uint32_t q) {
+                const auto shorten = [&](std::uint32_t p, std::uint32_t q) {
                     if (const double length = glm::length(at(p) - at(q)); length > 0.0)
                         shortest = std::min(shortest, length);
                 };
-                visit_edges(cell, look);
+                visit_edges(cell, shorten);
                 const auto reach = static_cast<float>(part_of_edge * shortest);
                 visit_points(cell, [&](std::uint32_t p) {
                     auto& here = points_.reach[points_.first[b] + p];
@@ -213,8 +211,8 @@ class MeshAssembly {
             find_reach(slack);
             same = merge_points(points_, [&](const auto& marked) { return faces_at(marked); });
             if (request_.velocities)
-                if (auto looked = keep_apart(same); !looked)
-                    return looked;
+                if (auto sound = keep_apart(same); !sound)
+                    return sound;
             note_joined(same, slack);
         }
         std::vector<std::uint32_t> number; // of the points of each node
@@ -276,10 +274,10 @@ class MeshAssembly {
                 meeting.add_edge(first + p, first + q);
             });
         });
-        auto looked = request_.velocities(
-            [&](std::span<const float> velocity) { meeting.look_at(velocity); });
-        if (!looked)
-            return looked;
+        auto sound =
+            request_.velocities([&](std::span<const float> velocity) { meeting.take(velocity); });
+        if (!sound)
+            return sound;
         DisjointSets nodes(same.size());
         meeting.join(nodes);
         auto place = same;

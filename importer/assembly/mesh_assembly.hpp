@@ -5,9 +5,8 @@
 #include "core/base/result.hpp"
 #include "core/dataset/cell_neighbours.hpp"
 #include "core/dataset/grid.hpp"
-#include "importer/assembly/added_nodes.hpp"
-#include "importer/assembly/meeting_points.hpp"
-#include "importer/assembly/opposite_nodes.hpp"
+#include "importer/assembly/point_merging.hpp"
+#include "importer/assembly/polyhedron_cutter.hpp"
 
 #include <vtkDataSet.h>
 #include <vtkSmartPointer.h>
@@ -70,7 +69,7 @@ struct GridAssembly {
 /// Hands out the velocities at the points of all blocks, one block after the other, at one time-step after the
 /// other.
 using EachVelocity =
-    std::function<core::Result<void>(const std::function<void(std::span<const float>)>& look)>;
+    std::function<core::Result<void>(const std::function<void(std::span<const float>)>& take)>;
 
 struct AssemblyRequest {
     /// Holds by block which cells are solid; an empty block has none. They are left out, and the faces they
@@ -78,7 +77,7 @@ struct AssemblyRequest {
     std::vector<std::vector<bool>> solid;
     /// Asks for BlockNodes::first and cell_nodes, which cell data need.
     bool cell_nodes = true;
-    /// Is asked where pieces meet: those whose velocities jump there stay apart. Without it none does.
+    /// Called where pieces meet: those whose velocities jump there stay apart. Without it none does.
     EachVelocity velocities{};
 };
 

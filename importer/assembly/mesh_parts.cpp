@@ -3,8 +3,8 @@
 #include "core/base/rounding.hpp"
 #include "core/dataset/cell_neighbours.hpp"
 #include "core/field/cells/cell_locator.hpp"
-#include "importer/assembly/disjoint_sets.hpp"
-#include "importer/base/notes.hpp"
+#include "importer/assembly/point_merging.hpp"
+#include "importer/base/text.hpp"
 
 #include <vtkPoints.h>
 #include <vtkPolyData.h>

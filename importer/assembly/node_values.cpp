@@ -1,7 +1,5 @@
 #include "importer/assembly/node_values.hpp"
 
-#include "importer/assembly/tuple_access.hpp"
-
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkPointData.h>
@@ -150,13 +148,15 @@ class NodeValues {
         if (floats == nullptr)
             return false;
         const float* from = floats->GetPointer(0);
-        const auto kept = [](float value) { return std::abs(value) <= largest ? value : no_value; };
+        const auto bounded = [](float value) {
+            return std::abs(value) <= largest ? value : no_value;
+        };
         if (!of_cells())
-            std::transform(from, from + out_.size(), out_.begin(), kept);
+            std::transform(from, from + out_.size(), out_.begin(), bounded);
         else
             visit_points(number, [&](std::size_t point, std::size_t node) {
                 for (std::size_t c = 0; c < width_; ++c)
-                    out_[width_ * node + c] = kept(from[width_ * point + c]);
+                    out_[width_ * node + c] = bounded(from[width_ * point + c]);
             });
         return true;
     }

@@ -2,7 +2,6 @@
 
 #include "importer/assembly/block_cells.hpp"
 #include "importer/assembly/node_values.hpp"
-#include "importer/assembly/tuple_access.hpp"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>

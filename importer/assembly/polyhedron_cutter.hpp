@@ -5,9 +5,9 @@
 #pragma once
 
 #include "core/dataset/cell_mesh.hpp"
-#include "importer/assembly/added_nodes.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -15,6 +15,27 @@
 #include <vector>
 
 namespace wakesurf::importer {
+
+/// Nodes that a mesh has besides the points of its source: the apex of a polyhedron, the centre of a face of five corners or
+/// more. Their values are weighted means of other nodes'. Node i has the number `nodes of the source` + i and the parts first[i] .. first[i +
+/// 1].
+struct AddedNodes {
+    std::vector<std::size_t> first{0};
+    std::vector<std::uint32_t> node; ///< of the source
+    std::vector<double> weight;      ///< of a node's parts: sums to 1
+
+    std::size_t size() const { return first.size() - 1; }
+};
+
+/// Returns the volume, negative for a cell numbered inside out. A face of 4 nodes counts as 4 triangles round
+/// its centre.
+double cell_volume(const core::MeshCell& cell, std::span<const core::Vec3> points);
+
+enum class Turned { Kept, Reordered, Flat };
+
+/// Makes the volume positive by numbering the nodes the other way round. Returns Flat if the volume is below
+/// rounding errors of the coordinates.
+Turned turn_outside_out(core::MeshCell& cell, std::span<const core::Vec3> points);
 
 using Polygon = std::vector<std::uint32_t>; ///< node numbers in turn
 

@@ -1,8 +1,10 @@
-// Comparison of the meshes of two time-steps, number by number: a store has one grid.
+// Comparison of the meshes of two time-steps: a store has one grid. Meshes are the same number by number, or as the same cells in
+// another order: solvers that balance their load, or renumber, write other pieces and other nodes first at every time-step.
 #pragma once
 
 #include "importer/assembly/grid_assembly.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace wakesurf::importer {
@@ -18,5 +20,10 @@ bool same_block(vtkDataSet& a, vtkDataSet& b);
 /// Replaces the arrays of `to` by those of `from`, which has the same mesh: memory is freed, and comparing
 /// again costs nothing.
 void share_mesh(vtkDataSet& from, vtkDataSet& to);
+
+/// Returns the blocks of `mesh` with the values of `step`, if every cell of the one is a cell of the other:
+/// between nodes at the same places, to the bit. A node's value is that of its own cells, so that two nodes at
+/// one place keep each its own. Empty if the meshes differ. Cost: that of reading the mesh.
+std::optional<std::vector<vtkSmartPointer<vtkDataSet>>> values_on(BlockList mesh, BlockList step);
 
 } // namespace wakesurf::importer

@@ -110,7 +110,7 @@ struct Ruleset {
 
 constexpr std::uint64_t abstract_sockets_and_signals = 3; // to processes that have more rights
 
-constexpr std::uint64_t reading = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
+constexpr std::uint64_t read_rights = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_READ_DIR;
 constexpr std::uint64_t of_files = LANDLOCK_ACCESS_FS_READ_FILE | LANDLOCK_ACCESS_FS_WRITE_FILE;
 
 // What libraries look for as they go on: the tables of characters and units, and others of their own.
@@ -160,7 +160,7 @@ class Rules {
     core::Result<void> allow_reading(const fs::path& path, const std::vector<fs::path>& secrets) {
         const auto holds = [&](const fs::path& secret) { return lies_in(secret, path); };
         if (std::ranges::none_of(secrets, holds))
-            return allow(path, reading);
+            return allow(path, read_rights);
         if (std::ranges::find(secrets, path) != secrets.end())
             return {};
         auto done = allow(path, LANDLOCK_ACCESS_FS_READ_DIR);
@@ -187,7 +187,8 @@ core::Result<void> limit_files(const LimitedRights& rights) {
         return {}; // without Landlock in this kernel, or with it switched off
     if (version < 0)
         return cannot("Landlock", errno);
-    const Ruleset handled{reading | writing, 0, version >= 6 ? abstract_sockets_and_signals : 0};
+    const Ruleset handled{read_rights | writing, 0,
+                          version >= 6 ? abstract_sockets_and_signals : 0};
     const std::size_t known = version >= 6 ? sizeof(handled) : sizeof(handled.files);
     const auto opened =
         static_cast<int>(::syscall(SYS_landlock_create_ruleset, &handled, known, 0));
@@ -196,10 +197,10 @@ core::Result<void> limit_files(const LimitedRights& rights) {
     Rules rules(opened);
     core::Result<void> done;
     if (rights.store) {
-        std::error_code told_by_the_writer;
-        fs::create_directories(*rights.store, told_by_the_writer);
+        std::error_code reported_by_the_writer;
+        fs::create_directories(*rights.store, reported_by_the_writer);
         // A store that cannot be made or opened is reported by the writer, which may then write nowhere.
-        done = rules.allow(real_path(*rights.store), reading | writing);
+        done = rules.allow(real_path(*rights.store), read_rights | writing);
     }
     std::vector<fs::path> secrets;
     for (const auto& secret : rights.secrets)

@@ -1,8 +1,7 @@
 #include "importer/base/watched_process.hpp"
 
 #include "core/base/machine_memory.hpp"
-#include "importer/base/process_memory.hpp"
-#include "importer/base/progress_marks.hpp"
+#include "importer/base/reading_bounds.hpp"
 
 #include <signal.h>
 #include <sys/prctl.h>
@@ -15,9 +14,12 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <initializer_list>
 #include <new>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,14 +27,50 @@ namespace wakesurf::importer {
 
 using core::Error;
 using Clock = std::chrono::steady_clock;
+namespace fs = std::filesystem;
 
 namespace {
 
 // The poll interval. A process fills some 2 GB/s: memory may exceed the bound by 20 MB before that is seen.
-constexpr std::chrono::milliseconds look_every{10};
+constexpr std::chrono::milliseconds poll_interval{10};
 
 // Reading so many bytes counts as progress: values of a large first time-step are part of the survey.
-constexpr std::uint64_t reading_goes_on = std::uint64_t{16} << 20;
+constexpr std::uint64_t bytes_of_progress = std::uint64_t{16} << 20;
+
+fs::path shown(pid_t process, std::string_view file) {
+    return fs::path("/proc") / std::to_string(process) / file;
+}
+
+// Returns the sum of lines "Name:   123 kB" in bytes; 0 for a missing file: the process has ended.
+std::uint64_t kilobytes_in(const fs::path& file, std::initializer_list<std::string_view> names) {
+    std::ifstream in(file);
+    std::uint64_t sum = 0;
+    for (std::string line; std::getline(in, line);)
+        for (const auto name : names)
+            if (line.starts_with(name))
+                sum += std::strtoull(line.c_str() + name.size(), nullptr, 10) * 1024;
+    return sum;
+}
+
+void add_below(pid_t process, std::vector<pid_t>& found) {
+    std::error_code gone;
+    for (fs::directory_iterator thread(shown(process, "task"), gone), end; !gone && thread != end;
+         thread.increment(gone)) {
+        std::ifstream in(thread->path() / "children");
+        for (pid_t child = 0; in >> child;) {
+            found.push_back(child);
+            add_below(child, found);
+        }
+    }
+}
+
+// The bytes that a process has read from files and pipes; 0 if the system does not say.
+std::uint64_t bytes_read_by(pid_t process) {
+    std::ifstream in(shown(process, "io"));
+    std::string name;
+    std::uint64_t bytes = 0;
+    return in >> name >> bytes && name == "rchar:" ? bytes : 0;
+}
 
 std::string size_text(std::uint64_t bytes) {
     char text[32];
@@ -61,13 +99,13 @@ void bound_addresses(std::uint64_t memory) {
 #endif
 }
 
-void tell_of_memory() {
+void out_of_memory() {
     progress_marks().out_of_memory = true;
     throw std::bad_alloc();
 }
 
 // Ends the process when an exception meets C code on its way.
-void tell_why_and_abort() {
+void report_and_abort() {
     try {
         if (std::current_exception())
             std::rethrow_exception(std::current_exception());
@@ -86,21 +124,33 @@ sigset_t signals_of(std::initializer_list<int> list) {
     return set;
 }
 
+// Error: Unsupported if the system does not show processes and their memory (no /proc).
+core::Result<void> check_processes_show() {
+    const pid_t own = ::getpid();
+    std::error_code error;
+    const auto children = shown(own, "task") / std::to_string(own) / "children";
+    if (fs::exists(children, error) && quick_memory({own}) > 0)
+        return {};
+    return core::fail(core::Error::Code::Unsupported,
+                      "this system does not show the memory of processes",
+                      "mount /proc, and use a kernel with /proc/PID/task/TID/children");
+}
+
 class Watch {
   public:
     Watch(pid_t process, const std::string& source, const ImportBounds& bounds)
         : process_(process), source_(source), bounds_(bounds) {}
 
     core::Result<int> until_end(const sigset_t& signals) {
-        const auto every =
-            timespec{0, std::chrono::duration_cast<std::chrono::nanoseconds>(look_every).count()};
+        const auto every = timespec{
+            0, std::chrono::duration_cast<std::chrono::nanoseconds>(poll_interval).count()};
         for (;;) {
             const int signal = ::sigtimedwait(&signals, nullptr, &every);
             if (signal == SIGINT || signal == SIGTERM)
                 return interrupted();
             if (const auto ended = reap())
                 return outcome(*ended);
-            if (auto within = look(); !within)
+            if (auto within = check_bounds(); !within)
                 return tl::unexpected(give_up(within.error()));
         }
     }
@@ -154,7 +204,7 @@ class Watch {
         return why;
     }
 
-    core::Result<void> look() {
+    core::Result<void> check_bounds() {
         if (over_bound())
             return tl::unexpected(too_large());
         const auto now = Clock::now();
@@ -169,7 +219,7 @@ class Watch {
         const auto most = surveyed ? bounds_.stall : bounds_.survey;
         if (most == most.zero() || now - since_ < most)
             return {};
-        if (const auto read = bytes_read_by(process_); read >= read_ + reading_goes_on) {
+        if (const auto read = bytes_read_by(process_); read >= read_ + bytes_of_progress) {
             read_ = read;
             since_ = now;
             return {};
@@ -208,6 +258,26 @@ class Watch {
 };
 
 } // namespace
+
+std::vector<pid_t> processes_below(pid_t process) {
+    std::vector<pid_t> found;
+    add_below(process, found);
+    return found;
+}
+
+std::uint64_t quick_memory(const std::vector<pid_t>& processes) {
+    std::uint64_t sum = 0;
+    for (const pid_t process : processes)
+        sum += kilobytes_in(shown(process, "status"), {"RssAnon:", "RssShmem:"});
+    return sum;
+}
+
+std::uint64_t exact_memory(const std::vector<pid_t>& processes) {
+    std::uint64_t sum = 0;
+    for (const pid_t process : processes)
+        sum += kilobytes_in(shown(process, "smaps_rollup"), {"Pss_Anon:", "Pss_Shmem:"});
+    return sum > 0 ? sum : quick_memory(processes); // before Linux 5.4
+}
 
 std::uint64_t usual_import_memory() {
     constexpr std::uint64_t where_unknown = std::uint64_t{1} << 30;
@@ -254,8 +324,8 @@ core::Result<int> run_watched(const std::string& source,
         ::sigprocmask(SIG_SETMASK, &before, nullptr);
         bound_addresses(bounds.memory);
         set_memory_bound(bounds.memory);
-        std::set_new_handler(tell_of_memory);
-        std::set_terminate(tell_why_and_abort);
+        std::set_new_handler(out_of_memory);
+        std::set_terminate(report_and_abort);
         const int status = work();
         std::fflush(nullptr);
         ::_exit(status);

@@ -4,10 +4,13 @@
 
 #include "core/base/result.hpp"
 
+#include <sys/types.h>
+
 #include <chrono>
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace wakesurf::importer {
 
@@ -32,5 +35,17 @@ core::Result<int> run_watched(const std::string& source,
 
 /// Adds to an error about memory what the bound is, and what to do.
 core::Error with_memory_bound(core::Error error, std::uint64_t bound);
+
+/// Returns all processes below `process`, however deep, without itself. Cost: some 20 microseconds a process.
+std::vector<pid_t> processes_below(pid_t process);
+
+/// Returns the bytes that only swapping could take back: anonymous and shared memory, not the pages of
+/// programs and files. Memory shared by forked processes counts for each: the sum is never too low. Cost:
+/// some 20 microseconds a process.
+std::uint64_t quick_memory(const std::vector<pid_t>& processes);
+
+/// Returns the same sum, with shared memory counted once. Cost: the kernel walks the pages, some 3 ms a
+/// gigabyte.
+std::uint64_t exact_memory(const std::vector<pid_t>& processes);
 
 } // namespace wakesurf::importer

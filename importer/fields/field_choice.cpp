@@ -1,7 +1,6 @@
 #include "importer/fields/field_choice.hpp"
 
-#include "importer/base/lower_case.hpp"
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 #include "importer/fields/physical_units.hpp"
 #include "importer/fields/velocity_choice.hpp"
 

@@ -1,6 +1,6 @@
 #include "importer/fields/physical_units.hpp"
 
-#include "importer/base/lower_case.hpp"
+#include "importer/base/text.hpp"
 
 #include <udunits2.h>
 

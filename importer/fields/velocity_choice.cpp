@@ -34,8 +34,8 @@ bool is_vector(const FieldInfo& field, VectorName meaning) {
     return field.components == 3 && meaning_of_vector(field.name) == meaning;
 }
 
-constexpr std::array<FieldInfo::Source, 2> places{FieldInfo::Source::Point,
-                                                  FieldInfo::Source::Cell};
+constexpr std::array<FieldInfo::Source, 2> field_places{FieldInfo::Source::Point,
+                                                        FieldInfo::Source::Cell};
 
 std::string joined(const Fields& fields) {
     std::string out;
@@ -73,7 +73,7 @@ class Rules {
                                             &Rules::qualified, &Rules::momentum, &Rules::spoken_of,
                                             &Rules::only};
         for (const Rule rule : rules)
-            for (const auto source : places) {
+            for (const auto source : field_places) {
                 auto found = (this->*rule)(source);
                 if (!found || found->has_value())
                     return found;
@@ -231,7 +231,7 @@ class Wish {
                 return core::fail(Error::Code::NotFound,
                                   "there is no field " + name + "; there is " + listed(fields_),
                                   "--velocity takes the name of one vector, or of three scalars");
-        for (const auto source : places)
+        for (const auto source : field_places)
             if (auto found = find_in(source))
                 return *found;
         if (names_.size() == 1 && all_of(3) && meaning_of_vector(names_[0]) == VectorName::Momentum)
@@ -340,7 +340,7 @@ std::vector<std::string> velocity_candidates(const Fields& fields,
     for (const auto& parts : stated)
         add(parts[0] + "," + parts[1] + "," + parts[2]);
     add_vectors(false);
-    for (const auto source : places)
+    for (const auto source : field_places)
         for (const auto& parts : velocity_components(fields, source))
             add(parts[0].name + "," + parts[1].name + "," + parts[2].name);
     for (const auto& momentum : fields)

@@ -4,7 +4,6 @@
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
-#include "importer/sources/blocks/wall_patches.hpp"
 
 #include <span>
 #include <utility>

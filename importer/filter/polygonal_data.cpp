@@ -1,6 +1,6 @@
 #include "importer/filter/polygonal_data.hpp"
 
-#include "protocol/files/vtk_arrays.hpp"
+#include "protocol/files/mesh_vtp.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>

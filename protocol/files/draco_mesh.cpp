@@ -1,6 +1,6 @@
 #include "protocol/files/draco_mesh.hpp"
 
-#include "protocol/files/mesh_comments.hpp"
+#include "protocol/files/mesh_metadata.hpp"
 
 #include <draco/compression/expert_encode.h>
 #include <draco/mesh/mesh.h>
@@ -14,6 +14,12 @@
 #include <span>
 
 namespace wakesurf::protocol {
+
+core::Result<std::string>
+mesh_drc(const core::QuadComplex& mesh, const MeshMetadata& metadata, const MeshScalars& scalars) {
+    return encode_triangles(mesh, triangles_of(mesh), mesh_attributes(mesh, scalars), &metadata)
+        .map([](DracoMesh&& made) { return std::move(made.bytes); });
+}
 
 namespace {
 

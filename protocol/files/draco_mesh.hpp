@@ -54,4 +54,10 @@ core::Result<DracoMesh> encode_triangles(const core::QuadComplex& mesh,
                                          const std::vector<MeshAttribute>& attributes,
                                          const MeshMetadata* metadata);
 
+/// Writes a .drc file of triangles, hanging nodes included, with the attributes of mesh_attributes, each with its name in its metadata
+/// (`name`), and the metadata of the surface as the file's. Error: as encode_triangles.
+core::Result<std::string> mesh_drc(const core::QuadComplex& mesh,
+                                   const MeshMetadata& metadata,
+                                   const MeshScalars& scalars = {});
+
 } // namespace wakesurf::protocol

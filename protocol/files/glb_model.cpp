@@ -2,7 +2,7 @@
 
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/surface.hpp"
-#include "protocol/files/mesh_names.hpp"
+#include "protocol/files/mesh_metadata.hpp"
 
 #include <glm/common.hpp>
 

@@ -1,10 +1,56 @@
 #include "protocol/files/mesh_file.hpp"
 
-#include "protocol/files/mesh_drc.hpp"
-#include "protocol/files/mesh_obj.hpp"
+#include "core/surface/quad_complex.hpp"
+#include "protocol/files/draco_mesh.hpp"
+#include "protocol/files/mesh_metadata.hpp"
+#include "protocol/files/mesh_triangles.hpp"
 #include "protocol/files/mesh_vtp.hpp"
 
+#include <cstdint>
+#include <string>
+#include <vector>
+
 namespace wakesurf::protocol {
+
+namespace {
+
+void face(std::string& out, const std::uint32_t* vertices, std::size_t corners) {
+    out += 'f';
+    for (std::size_t i = 0; i < corners; ++i) {
+        const std::string number = number_text(vertices[i] + 1); // .obj counts from 1
+        ((((out += ' ') += number) += '/') += number);
+    }
+    out += '\n';
+}
+
+// Writes a Wavefront .obj file: `v x y z` as computed, `vt s t`, and faces as in mesh_ply. The format cannot hold further arrays.
+// Metadata in comments.
+std::string mesh_obj(const core::QuadComplex& mesh, const MeshMetadata& metadata) {
+    std::string out;
+    out.reserve(mesh.vertices() * 90 + mesh.cells.size() * 60);
+    for (const std::string& line : mesh_comments(metadata))
+        out += "# " + line + "\n";
+    out += "# v x y z; vt s t\no surface\n";
+    for (const core::Vec3& p : mesh.position)
+        out += "v " + number_text(p.x) + " " + number_text(p.y) + " " + number_text(p.z) + "\n";
+    for (std::size_t v = 0; v < mesh.vertices(); ++v)
+        out += "vt " + number_text(mesh.s[v]) + " " + number_text(mesh.t[v]) + "\n";
+    std::vector<Triangle> cut;
+    for (const core::Cell& cell : mesh.cells) {
+        const core::CellPolygon outline = core::polygon(cell);
+        if (outline.count == 4) {
+            face(out, outline.vertex.data(), 4);
+            continue;
+        }
+        cut.clear();
+        append_triangles(mesh, cell, cut);
+        for (const Triangle& each : cut)
+            face(out, each.data(), 3);
+    }
+    return out;
+}
+
+} // namespace
 
 std::string_view extension(MeshFormat format) {
     switch (format) {

@@ -2,8 +2,8 @@
 
 #include "protocol/files/draco_mesh.hpp"
 #include "protocol/files/glb_model.hpp"
-#include "protocol/files/mesh_names.hpp"
-#include "protocol/files/mesh_normals.hpp"
+#include "protocol/files/mesh_metadata.hpp"
+#include "protocol/files/mesh_triangles.hpp"
 
 namespace wakesurf::protocol {
 

@@ -1,12 +1,14 @@
-// The description of the surface in an exported mesh; the same for every file format.
+// What an exported file says about its surface, the same for every format, and how formats spell fields and numbers.
 #pragma once
 
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
 
+#include <charconv>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,5 +35,23 @@ inline bool tells_kind(core::Rake::Kind kind) {
 
 /// Holds further vertex arrays by name, each with one value a vertex.
 using MeshScalars = std::map<std::string, std::vector<float>>;
+
+/// Returns the metadata as lines for the comments of .ply and .obj: `kind stream`, `rake 0,0,0 1,0,0`, ...; no line has a control character in it, for any name of the
+/// dataset.
+std::vector<std::string> mesh_comments(const MeshMetadata& metadata);
+
+/// Names of fields where a format takes one word only: a word for each scalar, in order: any character but ASCII letters, digits and `_` becomes `_`, and
+/// a word that is in `taken`, or was given before, gets a number behind it.
+std::vector<std::string> one_word_names(const MeshScalars& scalars, std::set<std::string> taken);
+
+/// Returns such words in capitals behind a `_`, which glTF prescribes for attributes of applications.
+std::vector<std::string> gltf_names(const MeshScalars& scalars, std::set<std::string> taken);
+
+/// A number as the shortest decimal text that reads back the same.
+template <class T>
+std::string number_text(T value) {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof(text), value).ptr};
+}
 
 } // namespace wakesurf::protocol

@@ -1,11 +1,7 @@
 #include "protocol/files/mesh_ply.hpp"
 
-#include "protocol/files/mesh_names.hpp"
-#include "protocol/files/mesh_normals.hpp"
+#include "protocol/files/mesh_metadata.hpp"
 #include "protocol/files/mesh_triangles.hpp"
-#include "protocol/files/number_text.hpp"
-#include "protocol/files/ply_parts.hpp"
-#include "protocol/files/viridis.hpp"
 
 #include <glm/geometric.hpp>
 
@@ -21,14 +17,37 @@ namespace wakesurf::protocol {
 
 namespace {
 
+/// The coefficients of Matt Zucker's fit of the table (CC0), constant first.
+constexpr double coefficients[3][7] = {
+    {0.2777273272234177, 0.1050930431085774, -0.3308618287255563, -4.634230498983486,
+     6.228269936347081, 4.776384997670288, -5.435455855934631},
+    {0.005407344544966578, 1.404613529898575, 0.214847559468213, -5.799100973351585,
+     14.17993336680509, -13.74514537774601, 4.645852612178535},
+    {0.3340998053353061, 1.384590162594685, 0.09509516302823659, -19.33244095627987,
+     56.69055260068105, -65.35303263337234, 26.3124352495832}};
+
+// The sRGB colour of a value from 0 to 1 by the colour map viridis (Smith, van der Walt; CC0); other values get the colour of the
+// nearer end, NaN the lower one's. Within 4 of 255 of the table in web-client/src/scene/surface/viridis.ts.
+std::array<std::uint8_t, 3> viridis(double value) {
+    const double x = value > 0.0 ? std::min(value, 1.0) : 0.0; // NaN is not above 0
+    std::array<std::uint8_t, 3> out{};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        double sum = 0.0;
+        for (std::size_t k = 7; k-- > 0;)
+            sum = sum * x + coefficients[channel][k];
+        out[channel] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(sum, 0.0, 1.0)));
+    }
+    return out;
+}
+
 struct Faces {
     std::string bytes;
     std::size_t count = 0;
 
     void add(const std::uint32_t* vertices, std::size_t corners) {
-        put(bytes, static_cast<std::uint8_t>(corners));
+        put_bytes(bytes, static_cast<std::uint8_t>(corners));
         for (std::size_t i = 0; i < corners; ++i)
-            put(bytes, static_cast<std::int32_t>(vertices[i]));
+            put_bytes(bytes, static_cast<std::int32_t>(vertices[i]));
         ++count;
     }
 };
@@ -117,27 +136,27 @@ std::string header(const core::QuadComplex& mesh,
         text += "property float error\n";
     if (!faces)
         text += "property float radius\n";
-    for (const std::string& name : words_of(scalars, {"x",
-                                                      "y",
-                                                      "z",
-                                                      "s",
-                                                      "t",
-                                                      "speed",
-                                                      "vx",
-                                                      "vy",
-                                                      "vz",
-                                                      "nx",
-                                                      "ny",
-                                                      "nz",
-                                                      "u",
-                                                      "v",
-                                                      "red",
-                                                      "green",
-                                                      "blue",
-                                                      "deformation",
-                                                      "component",
-                                                      "approximated",
-                                                      faces ? "" : "radius"}))
+    for (const std::string& name : one_word_names(scalars, {"x",
+                                                            "y",
+                                                            "z",
+                                                            "s",
+                                                            "t",
+                                                            "speed",
+                                                            "vx",
+                                                            "vy",
+                                                            "vz",
+                                                            "nx",
+                                                            "ny",
+                                                            "nz",
+                                                            "u",
+                                                            "v",
+                                                            "red",
+                                                            "green",
+                                                            "blue",
+                                                            "deformation",
+                                                            "component",
+                                                            "approximated",
+                                                            faces ? "" : "radius"}))
         text += "property float " + name + "\n";
     if (faces)
         text +=
@@ -165,26 +184,26 @@ std::string mesh_ply(const core::QuadComplex& mesh,
         header(mesh, metadata, scalars, range, points ? std::nullopt : std::optional(faces.count));
     out.reserve(out.size() + mesh.vertices() * (88 + 4 * scalars.size()) + faces.bytes.size());
     for (std::size_t v = 0; v < mesh.vertices(); ++v) {
-        put(out, mesh.position[v]);
-        put(out, mesh.s[v]);
-        put(out, mesh.t[v]);
-        put(out, speeds[v]);
-        put(out, mesh.velocity[v]);
-        put(out, normals[v]);
-        put(out, static_cast<float>(mesh.s[v]));
-        put(out, static_cast<float>(mesh.t[v]));
-        put(out, range.colour(speeds[v]));
+        put_bytes(out, mesh.position[v]);
+        put_bytes(out, mesh.s[v]);
+        put_bytes(out, mesh.t[v]);
+        put_bytes(out, speeds[v]);
+        put_bytes(out, mesh.velocity[v]);
+        put_bytes(out, normals[v]);
+        put_bytes(out, static_cast<float>(mesh.s[v]));
+        put_bytes(out, static_cast<float>(mesh.t[v]));
+        put_bytes(out, range.colour(speeds[v]));
         if (!mesh.deformation.empty())
-            put(out, mesh.deformation[v]);
-        put(out, mesh.component[v]);
-        put(out, mesh.approximated[v]);
+            put_bytes(out, mesh.deformation[v]);
+        put_bytes(out, mesh.component[v]);
+        put_bytes(out, mesh.approximated[v]);
         if (has_error(mesh, scalars))
-            put(out, mesh.error[v]);
+            put_bytes(out, mesh.error[v]);
         if (points)
-            put(out, radii[v]);
+            put_bytes(out, radii[v]);
         for (const auto& [name, values] : scalars) {
             assert(values.size() == mesh.vertices());
-            put(out, values[v]);
+            put_bytes(out, values[v]);
         }
     }
     return out + faces.bytes;

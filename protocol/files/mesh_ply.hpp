@@ -4,8 +4,10 @@
 #include "core/surface/quad_complex.hpp"
 #include "protocol/files/mesh_metadata.hpp"
 
+#include <bit>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 
 namespace wakesurf::protocol {
 
@@ -22,5 +24,22 @@ std::string mesh_ply(const core::QuadComplex& mesh,
                      const MeshMetadata& metadata,
                      const MeshScalars& scalars = {},
                      PlyElements elements = PlyElements::Cells);
+
+static_assert(std::endian::native == std::endian::little, "the file says binary_little_endian");
+
+/// Appends a number as the file has it.
+template <class T>
+void put_bytes(std::string& out, T value) {
+    static_assert(std::is_trivially_copyable_v<T>);
+    out.append(reinterpret_cast<const char*>(&value), sizeof(value));
+}
+
+/// Returns the head of a .ply file, of a mesh or of lines, up to the first element.
+inline std::string ply_head(const MeshMetadata& metadata) {
+    std::string text = "ply\nformat binary_little_endian 1.0\n";
+    for (const std::string& line : mesh_comments(metadata))
+        text += "comment " + line + "\n";
+    return text;
+}
 
 } // namespace wakesurf::protocol

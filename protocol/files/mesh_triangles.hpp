@@ -24,4 +24,9 @@ void append_triangles(const core::QuadComplex& mesh,
 /// hanging nodes.
 std::vector<Triangle> triangles_of(const core::QuadComplex& mesh);
 
+/// Returns normals for programs that shade by them and know only flat triangles without: of length 1 for each vertex: the mesh's own, else the mean of its triangles' normals by
+/// their areas, (0, 0, 1) if there is none or they cancel. Same input, same bytes.
+std::vector<core::Vec3f> vertex_normals(const core::QuadComplex& mesh,
+                                        const std::vector<Triangle>& triangles);
+
 } // namespace wakesurf::protocol

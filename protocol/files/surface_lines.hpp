@@ -1,5 +1,5 @@
-// What is taken of a surface instead of its cells: its points, or lines on it: timelines, the streamlines, pathlines or streaklines that the
-// surface consists of, ribbons along them, arrows (core/surface/contour_lines.hpp, even_lines.hpp,
+// What is taken of a surface instead of its cells, and its file: its points, or lines on it: timelines, the streamlines, pathlines or
+// streaklines that the surface consists of, ribbons along them, arrows (core/surface/contour_lines.hpp, even_lines.hpp,
 // surface_cutouts.hpp).
 #pragma once
 
@@ -10,6 +10,7 @@
 #include "protocol/files/mesh_file.hpp"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace wakesurf::protocol {
@@ -59,5 +60,13 @@ surface_lines(const core::QuadComplex& mesh, const LinesWanted& wanted, bool clo
 
 /// Returns `t` or `s`, the parameter that is constant along such lines.
 std::string_view parameter(const LinesWanted& wanted);
+
+/// Writes lines (.vtp lines, .obj `l`, .ply edges, .glb LINES) or polygons (.vtp and .ply polygons, .obj `f`,
+/// .glb triangles), with the value of s or t for each; in a .glb, which is never compressed, at each vertex.
+/// Same input, same bytes. Error: Unsupported for .drc, Corrupt for coordinates that a .glb cannot hold.
+core::Result<std::string> lines_file(MeshFormat format,
+                                     const SurfaceLines& lines,
+                                     const LinesWanted& wanted,
+                                     const MeshMetadata& metadata);
 
 } // namespace wakesurf::protocol

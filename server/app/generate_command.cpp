@@ -2,7 +2,7 @@
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/stop_tokens.hpp"
-#include "store/command/layout_option.hpp"
+#include "store/command/source_options.hpp"
 #include "store/store_generation.hpp"
 #include "store/store_grid.hpp"
 

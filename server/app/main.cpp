@@ -8,9 +8,9 @@
 #include "server/app/packaged_texts.hpp"
 #include "server/app/version.hpp"
 #include "server/data/dataset_argument.hpp"
-#include "store/command/layout_option.hpp"
 #include "store/command/manual_page.hpp"
 #include "store/command/memory_size.hpp"
+#include "store/command/source_options.hpp"
 
 #include <CLI/CLI.hpp>
 

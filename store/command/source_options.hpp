@@ -1,5 +1,5 @@
-// The options of a command line about a dataset besides its name: its velocity, times that its files do not
-// state, and how far it is trusted.
+// Options of a command line about a dataset besides its name: its velocity, times that its files do not state, how far it is trusted,
+// and how its time-steps lie on the disk.
 #pragma once
 
 #include "core/base/periodic_axes.hpp"
@@ -42,5 +42,8 @@ std::string axes_list(const core::PeriodicAxes& axes);
 
 /// Returns the options as arguments that add_source_options reads back exactly.
 std::vector<std::string> arguments_of(const SourceOptions& options);
+
+/// Declares --layout auto|whole|bricks. The text is what store::parse_step_placement reads.
+void add_layout_option(CLI::App& command, std::string& layout);
 
 } // namespace wakesurf::command

@@ -1,6 +1,6 @@
 #include "core/dataset/cell_neighbours.hpp"
-#include "importer/assembly/cell_volume.hpp"
 #include "importer/assembly/grid_assembly.hpp"
+#include "importer/assembly/polyhedron_cutter.hpp"
 #include "tests/importer/small_blocks.hpp"
 
 #include <gtest/gtest.h>

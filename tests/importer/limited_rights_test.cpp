@@ -1,5 +1,5 @@
 #include "importer/base/limited_rights.hpp"
-#include "importer/base/process_memory.hpp"
+#include "importer/base/watched_process.hpp"
 #include "tests/importer/import_fixture.hpp"
 #include "tests/support/programs.hpp"
 

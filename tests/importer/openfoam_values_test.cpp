@@ -1,5 +1,5 @@
 // Values of OpenFOAM's fields in each form that OpenFOAM and people write.
-#include "importer/sources/openfoam/openfoam_values.hpp"
+#include "importer/sources/openfoam/openfoam_reader.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

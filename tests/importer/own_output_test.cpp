@@ -1,5 +1,5 @@
 // The importer's own words on descriptors of their own: nothing a library prints gets among them.
-#include "importer/base/own_output.hpp"
+#include "importer/base/library_messages.hpp"
 #include "tests/importer/cgns_files.hpp"
 #include "tests/importer/import_fixture.hpp"
 #include "tests/support/programs.hpp"

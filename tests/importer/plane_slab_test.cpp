@@ -1,7 +1,6 @@
 // Planes of cells that are given a thickness.
 #include "importer/assembly/grid_assembly.hpp"
 #include "importer/base/slab_mark.hpp"
-#include "importer/sources/blocks/even_slabs.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/plane_slab.hpp"
 #include "tests/importer/small_blocks.hpp"

@@ -2,7 +2,7 @@
 #include "importer/assembly/grid_assembly.hpp"
 #include "importer/assembly/node_values.hpp"
 #include "importer/fields/velocity_choice.hpp"
-#include "importer/sources/blocks/even_slabs.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
 #include "importer/sources/open_source.hpp"
 #include "tests/importer/cgns_files.hpp"
 #include "tests/support/ensight_text.hpp"

@@ -1,5 +1,5 @@
 // The same mesh with its nodes and cells in another order and in other pieces, and meshes that are not the same.
-#include "importer/assembly/reordered_mesh.hpp"
+#include "importer/assembly/same_mesh.hpp"
 #include "tests/importer/small_blocks.hpp"
 
 #include <gtest/gtest.h>

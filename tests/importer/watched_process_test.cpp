@@ -1,7 +1,6 @@
 // What the process that watches an import bounds: the memory of all its processes, the time for a survey and without progress,
 // and how its end is told.
-#include "importer/base/process_memory.hpp"
-#include "importer/base/progress_marks.hpp"
+#include "importer/base/reading_bounds.hpp"
 #include "importer/base/watched_process.hpp"
 #include "tests/support/temporary_folder.hpp"
 

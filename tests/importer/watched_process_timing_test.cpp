@@ -1,5 +1,5 @@
 // The time that an import may be without progress: what counts as progress begins it anew.
-#include "importer/base/progress_marks.hpp"
+#include "importer/base/reading_bounds.hpp"
 #include "importer/base/watched_process.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Numbers as programs write them into text: Fortran's exponents in Plot3D files, and what is no number in legacy VTK files.
-#include "importer/sources/plot3d/fortran_numbers.hpp"
+#include "importer/sources/plot3d/plot3d_files.hpp"
 #include "tests/importer/import_fixture.hpp"
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // A store in bricks holds what the same store of whole time-steps holds.
 #include "core/base/crc32c.hpp"
-#include "store/brick_rows.hpp"
 #include "store/brick_slabs.hpp"
 #include "tests/support/brick_store.hpp"
 #include "tests/support/mask_bytes.hpp"

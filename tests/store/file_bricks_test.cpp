@@ -1,4 +1,4 @@
-#include "store/file_bricks.hpp"
+#include "store/stored_bricks.hpp"
 #include "tests/support/brick_store.hpp"
 #include "tests/support/read_bricks.hpp"
 #include "tests/support/small_store.hpp"

@@ -1,5 +1,5 @@
 #include "store/store_grid.hpp"
-#include "store/store_layout_json.hpp"
+#include "store/store_manifest.hpp"
 #include "tests/support/small_store.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,5 @@
-#include "importer/sources/blocks/even_slabs.hpp"
-
 #include "importer/base/slab_mark.hpp"
+#include "importer/sources/blocks/plane_slab.hpp"
 
 #include <vtkBoundingBox.h>
 #include <vtkDataArray.h>

@@ -2,6 +2,7 @@
 // evenly on both sides of the plane and is as thick as the cells are wide, in the mean.
 #pragma once
 
+#include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
 
 #include <vtkDataSet.h>
@@ -25,5 +26,10 @@ std::vector<std::string> third_components(const std::vector<core::FieldInfo>& sc
 
 /// Returns what slab_of makes of the fields of a plane of coordinates. @param across  the axis
 std::vector<core::FieldInfo> slab_fields(std::vector<core::FieldInfo> plane, int across);
+
+/// Makes the slabs of one plane that lies in several blocks, as pieces of a parallel run, equally thick: each alone would be as thick
+/// as its own cells are wide. It is in even_slabs.cpp. Error: Unsupported (slabs of
+/// several planes, or beside cells in space), to be read after the name of what has the blocks.
+core::Result<void> even_slabs(const std::vector<vtkSmartPointer<vtkDataSet>>& blocks);
 
 } // namespace wakesurf::importer

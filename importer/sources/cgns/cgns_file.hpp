@@ -1,4 +1,5 @@
-// A CGNS file as the CGNS library opens it.
+// A CGNS file as the CGNS library opens it: its time-steps, and its zones where VTK's reader cannot read them. CFD General
+// Notation System, Standard Interface Data Structures.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -8,10 +9,15 @@
 #include VTK_CGNS(cgnslib.h)
 // clang-format on
 
+#include "importer/sources/blocks/vtk_fields.hpp"
+#include "importer/sources/series/file_series.hpp"
+
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace wakesurf::importer {
 
@@ -70,5 +76,37 @@ inline bool has_dimension(CGNS_ENUMT(ElementType_t) type, int dimension) {
     return name.starts_with("TETRA") || name.starts_with("PYRA") || name.starts_with("PENTA") ||
            name.starts_with("HEXA");
 }
+
+struct CgnsUnits {
+    /// The factor from coordinates to the unit of length of the velocities.
+    double coordinates = 1.0;
+    /// Says what was converted; may be empty.
+    std::string note;
+};
+
+struct CgnsSurvey {
+    /// The times of BaseIterativeData, as they are; empty if there are none.
+    std::vector<double> times;
+    CgnsUnits units;
+    int dimension = 3; ///< of the cells that are read: 2 of a plane
+    /// True if cells of a zone are not numbered from 1 to their count: elements of boundaries come before
+    /// them.
+    bool cells_have_other_numbers = false;
+};
+
+/// Reads everything but the values (cgns_survey.cpp), times as in chapter 11: vtkCGNSReader would choose among them without a
+/// message. Error: Corrupt (not CGNS, cut off, pointers that do not fit the number of
+/// time-steps), Unsupported (no base with cells in space or in a plane; bases with times of their own; several solutions at
+/// one place without times, which are ambiguous; zones in different units).
+core::Result<CgnsSurvey> survey_cgns(const ListedFile& file);
+
+/// Reads all zones with the CGNS library alone (cgns_zones.cpp), a leaf each, for files whose elements are numbered as VTK's reader
+/// cannot read them: it takes for cells the elements numbered up to the count of cells, boundary or not, and leaves out the others
+/// without a message. Error: Corrupt, Unsupported.
+/// @param dimension  of the cells: zones of other bases are left out. @param step  its index among the times of the file; empty if it has none
+core::Result<std::vector<Leaf>> read_cgns_zones(const ListedFile& file,
+                                                int dimension,
+                                                std::optional<std::size_t> step,
+                                                const WantedArrays& wanted);
 
 } // namespace wakesurf::importer

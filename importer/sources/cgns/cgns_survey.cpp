@@ -1,8 +1,6 @@
-#include "importer/sources/cgns/cgns_survey.hpp"
 
 #include "core/base/result.hpp"
-#include "importer/base/process_memory.hpp"
-#include "importer/base/progress_marks.hpp"
+#include "importer/base/reading_bounds.hpp"
 #include "importer/fields/physical_units.hpp"
 #include "importer/sources/cgns/cgns_file.hpp"
 
@@ -76,7 +74,7 @@ class Units {
   public:
     explicit Units(int id) : id_(id) {}
 
-    void look() {
+    void read() {
         int bases = 0;
         cg_nbases(id_, &bases);
         for (int base = 1; base <= bases; ++base) {
@@ -86,7 +84,7 @@ class Units {
             int zones = 0;
             cg_nzones(id_, base, &zones);
             for (int zone = 1; zone <= zones; ++zone)
-                look_at_zone(base, zone, scope);
+                read_zone(base, zone, scope);
         }
     }
 
@@ -94,7 +92,7 @@ class Units {
     std::set<std::string> velocities;
 
   private:
-    void look_at_zone(int base, int zone, const Scope& around) {
+    void read_zone(int base, int zone, const Scope& around) {
         if (cg_goto(id_, base, "Zone_t", zone, "end") != CG_OK)
             return;
         const Scope scope = around.inside();
@@ -110,10 +108,10 @@ class Units {
         int solutions = 0;
         cg_nsols(id_, base, zone, &solutions);
         for (int solution = 1; solution <= solutions; ++solution)
-            look_at_solution(base, zone, solution, scope);
+            read_solution(base, zone, solution, scope);
     }
 
-    void look_at_solution(int base, int zone, int solution, const Scope& around) {
+    void read_solution(int base, int zone, int solution, const Scope& around) {
         if (cg_goto(id_, base, "Zone_t", zone, "FlowSolution_t", solution, "end") != CG_OK)
             return;
         const Scope scope = around.inside();
@@ -139,7 +137,7 @@ class Units {
 // units), Io. @param id  as the CGNS library opened the file
 core::Result<CgnsUnits> read_cgns_units(int id, const std::string& file) {
     Units found(id);
-    found.look();
+    found.read();
     for (auto* units : {&found.coordinates, &found.velocities})
         if (units->size() > 1)
             units->erase(""); // an array without dimensions beside others
@@ -190,8 +188,8 @@ class Survey {
                               name_ + " has no base with cells in space or in a plane");
         for (int base = 1; base <= bases; ++base)
             if (dimensions[static_cast<std::size_t>(base - 1)] == out_.dimension)
-                if (auto looked = look_at_base(base); !looked)
-                    return tl::unexpected(looked.error());
+                if (auto sound = survey_base(base); !sound)
+                    return tl::unexpected(sound.error());
         auto units = read_cgns_units(id_, name_);
         if (!units)
             return tl::unexpected(units.error());
@@ -202,7 +200,7 @@ class Survey {
   private:
     tl::unexpected<Error> damaged() const { return cgns_damage(name_); }
 
-    core::Result<void> look_at_base(int base) {
+    core::Result<void> survey_base(int base) {
         CgnsName name{};
         int steps = 0;
         const int status = cg_biter_read(id_, base, name.data(), &steps);
@@ -221,8 +219,8 @@ class Survey {
         if (cg_nzones(id_, base, &zones) != CG_OK)
             return damaged();
         for (int zone = 1; zone <= zones; ++zone)
-            if (auto looked = look_at_zone(base, zone, status == CG_OK ? steps : 0); !looked)
-                return looked;
+            if (auto sound = survey_zone(base, zone, status == CG_OK ? steps : 0); !sound)
+                return sound;
         return {};
     }
 
@@ -254,7 +252,7 @@ class Survey {
         return std::vector<double>();
     }
 
-    core::Result<void> look_at_zone(int base, int zone, int steps) {
+    core::Result<void> survey_zone(int base, int zone, int steps) {
         const auto pointers = solution_pointers(base, zone);
         if (!pointers)
             return tl::unexpected(pointers.error());
@@ -265,8 +263,8 @@ class Survey {
         int solutions = 0;
         if (cg_nsols(id_, base, zone, &solutions) != CG_OK)
             return damaged();
-        if (auto looked = look_at_mesh(base, zone); !looked)
-            return looked;
+        if (auto sound = survey_mesh(base, zone); !sound)
+            return sound;
         if (*pointers >= 0)
             return {};
         std::map<int, std::string> at;
@@ -292,7 +290,7 @@ class Survey {
 
     // VTK's reader takes elements for cells by their numbers, up to the count of cells, and expects cells to
     // begin with 1.
-    core::Result<void> look_at_mesh(int base, int zone) {
+    core::Result<void> survey_mesh(int base, int zone) {
         CgnsName name{};
         CGNS_ENUMT(ZoneType_t) type{};
         std::array<cgsize_t, 9> size{};

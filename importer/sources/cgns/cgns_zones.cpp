@@ -1,4 +1,3 @@
-#include "importer/sources/cgns/cgns_zones.hpp"
 
 #include "importer/sources/blocks/vtk_fields.hpp"
 #include "importer/sources/cgns/cgns_file.hpp"

@@ -1,7 +1,7 @@
 #include "importer/sources/ensight/ensight_case.hpp"
 
 #include "importer/fields/velocity_choice.hpp"
-#include "importer/sources/files/named_path.hpp"
+#include "importer/sources/files/source_files.hpp"
 #include "importer/sources/series/series_times.hpp"
 
 #include <algorithm>
@@ -276,7 +276,7 @@ core::Result<NamedFile> EnsightCase::file_at(const EnsightFile& file, double tim
         out.replace(first, count, digits);
     }
     return named_path(folder, out, name).map([&](const fs::path& path) {
-        return NamedFile{path, told_name(out)};
+        return NamedFile{path, name_for_messages(out)};
     });
 }
 

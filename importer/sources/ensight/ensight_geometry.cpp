@@ -1,7 +1,6 @@
-#include "importer/sources/ensight/ensight_geometry.hpp"
 
-#include "importer/base/process_memory.hpp"
-#include "importer/sources/ensight/ensight_stream.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/sources/ensight/ensight_file.hpp"
 
 #include <vtkCell.h>
 #include <vtkCellArray.h>

@@ -1,13 +1,10 @@
-#include "importer/base/lower_case.hpp"
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
-#include "importer/sources/blocks/wall_patches.hpp"
 #include "importer/sources/ensight/ensight_case.hpp"
-#include "importer/sources/ensight/ensight_variable.hpp"
-#include "importer/sources/files/file_names.hpp"
+#include "importer/sources/ensight/ensight_file.hpp"
 #include "importer/sources/files/formats.hpp"
 
 #include <vtkCellData.h>
@@ -231,7 +228,7 @@ class EnsightSource final : public Source {
         return geometry_.plane ? fluid_part(*part, geometry_file_) : part;
     }
 
-    void keep_described_variables(const Blocks& volumes, const std::set<std::string>& told) {
+    void keep_described_variables(const Blocks& volumes, const std::set<std::string>& noted) {
         std::vector<FieldInfo> inside;
         for (const auto& volume : volumes)
             add_fields(*volume, inside);
@@ -244,7 +241,7 @@ class EnsightSource final : public Source {
         std::erase_if(found_.variables, [&](const EnsightVariable& one) {
             if (among(description_.fields, one.field))
                 return false;
-            if (!among(inside, one.field) && !told.contains(one.field.name))
+            if (!among(inside, one.field) && !noted.contains(one.field.name))
                 on_faces.push_back(one.field.name);
             return true;
         });

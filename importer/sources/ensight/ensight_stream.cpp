@@ -1,7 +1,6 @@
-#include "importer/sources/ensight/ensight_stream.hpp"
-
 #include "core/base/disk.hpp"
-#include "importer/base/process_memory.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/sources/ensight/ensight_file.hpp"
 
 #include <algorithm>
 #include <bit>

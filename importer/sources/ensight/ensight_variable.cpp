@@ -1,6 +1,5 @@
-#include "importer/sources/ensight/ensight_variable.hpp"
-
-#include "importer/base/process_memory.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/sources/ensight/ensight_file.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,18 +1,43 @@
-// One Exodus II file through vtkExodusIIReader: a dataset is one, or several of them.
+// Exodus II files through vtkExodusIIReader: which of them are one dataset, and one file of it.
 #pragma once
 
+#include "core/base/result.hpp"
 #include "importer/base/source.hpp"
 #include "importer/sources/files/source_files.hpp"
 
 #include <vtkExodusIIReader.h>
 #include <vtkSmartPointer.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace wakesurf::importer {
 
-/// Reads time-steps and keeps the mesh between them. Not thread-safe.
+/// Parts of a file's name, which tell the files of one dataset: run.e, run.e-s002, run.e-s003 continue one another;
+/// run.e.2.0 and run.e.2.1 are the two pieces of one, as parallel programs write them.
+struct ExodusName {
+    std::string base;     ///< run.e
+    unsigned restart = 1; ///< 2 of -s002
+    unsigned pieces = 0;  ///< 0: not in pieces
+    unsigned piece = 0;
+    std::string of_restart{}; ///< "-s002"; empty for the first
+};
+
+/// Takes a file's name apart; what has no such ending is its own base.
+ExodusName exodus_name(const std::string& name);
+
+struct ExodusSet {
+    std::string name;                          ///< of the dataset
+    std::vector<std::vector<NamedFile>> parts; ///< the pieces of each restart, in order
+    std::string note;                          ///< on a restart that is missing
+};
+
+/// Finds the files that belong together with one of them. @param alone  no other restarts. Error: NotFound
+/// naming a piece that is missing, Io.
+core::Result<ExodusSet> find_exodus_set(const std::filesystem::path& path, bool alone);
+
+/// Reads the time-steps of one file and keeps the mesh between them. Not thread-safe.
 class ExodusFile {
   public:
     explicit ExodusFile(NamedFile file) : file_(std::move(file)) {}

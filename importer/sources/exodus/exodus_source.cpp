@@ -1,10 +1,7 @@
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 #include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
-#include "importer/sources/blocks/wall_patches.hpp"
 #include "importer/sources/exodus/exodus_file.hpp"
-#include "importer/sources/exodus/exodus_set.hpp"
-#include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/formats.hpp"
 #include "importer/sources/series/series_times.hpp"
 

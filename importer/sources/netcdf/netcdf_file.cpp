@@ -1,7 +1,6 @@
 #include "importer/sources/netcdf/netcdf_file.hpp"
 
-#include "importer/base/process_memory.hpp"
-#include "importer/base/progress_marks.hpp"
+#include "importer/base/reading_bounds.hpp"
 #include "importer/sources/files/netcdf_size.hpp"
 
 #include <algorithm>

@@ -1,9 +1,11 @@
-// The grid of a NetCDF-CF file: the variables that are on common nodes, and where those are.
+// The grid of a NetCDF-CF file: the variables that are on common nodes, and where those are; of a file that has none, what it holds
+// instead and what to do.
 #pragma once
 
 #include "core/dataset/dataset_info.hpp"
 #include "importer/fields/velocity_choice.hpp"
-#include "importer/sources/netcdf/netcdf_axes.hpp"
+#include "importer/sources/netcdf/netcdf_conventions.hpp"
+#include "importer/sources/netcdf/netcdf_file.hpp"
 
 namespace wakesurf::importer {
 

@@ -1,12 +1,11 @@
 #include "core/dataset/grid.hpp"
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 #include "importer/fields/velocity_choice.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
-#include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/formats.hpp"
+#include "importer/sources/netcdf/netcdf_conventions.hpp"
 #include "importer/sources/netcdf/netcdf_grid.hpp"
 #include "importer/sources/netcdf/netcdf_units.hpp"
-#include "importer/sources/netcdf/netcdf_velocity.hpp"
 #include "importer/sources/series/series_source.hpp"
 
 #include <vtkDoubleArray.h>

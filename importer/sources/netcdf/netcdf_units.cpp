@@ -1,7 +1,6 @@
 #include "importer/sources/netcdf/netcdf_units.hpp"
 
-#include "importer/base/lower_case.hpp"
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 #include "importer/fields/physical_units.hpp"
 
 #include <algorithm>
@@ -54,7 +53,7 @@ void note_converted(std::string& note, const Groups& groups, const std::string& 
                            from + " to " + to);
 }
 
-void note_kept(std::string& note, const Groups& groups, const std::string& as) {
+void note_unconverted(std::string& note, const Groups& groups, const std::string& as) {
     for (const auto& [unit, names] : groups)
         add_note(note, listed(names) +
                            (unit.empty()
@@ -168,7 +167,7 @@ std::string note_on_units(const NetcdfFile& file,
                           const std::optional<std::string>& times) {
     std::string note;
     Groups converted;
-    Groups kept;
+    Groups unconverted;
     bool stated = times && factor_to_si(*times, Quantity::Time);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto& axis = grid.axes[i];
@@ -176,9 +175,9 @@ std::string note_on_units(const NetcdfFile& file,
         if (axis.factor != 1.0)
             converted[axis.units].emplace_back(1, "xyz"[i]);
         if (!axis.known)
-            kept[axis.units].emplace_back(1, "xyz"[i]);
+            unconverted[axis.units].emplace_back(1, "xyz"[i]);
     }
-    Groups velocity_kept;
+    Groups unconverted_velocity;
     for (const auto& name : velocity) {
         const auto* variable = file.variable(name);
         const std::string text = variable == nullptr ? "" : file.text(*variable, "units");
@@ -186,7 +185,7 @@ std::string note_on_units(const NetcdfFile& file,
                            factor_to_si(text, Quantity::Momentum).has_value();
         stated = stated || known;
         if (!known)
-            velocity_kept[text].push_back(name);
+            unconverted_velocity[text].push_back(name);
     }
     note_converted(note, converted, "m");
     std::map<std::string, Groups> values;
@@ -199,13 +198,13 @@ std::string note_on_units(const NetcdfFile& file,
         note_converted(note, groups, unit);
     // If nothing states a unit, numbers have no dimensions, and none is wrong.
     if (!stated) {
-        std::erase_if(kept, [](const auto& group) { return group.first.empty(); });
-        std::erase_if(velocity_kept, [](const auto& group) { return group.first.empty(); });
+        std::erase_if(unconverted, [](const auto& group) { return group.first.empty(); });
+        std::erase_if(unconverted_velocity, [](const auto& group) { return group.first.empty(); });
     }
     if (stated && times && times->empty())
         add_note(note, "the times have no unit: kept, and taken as s");
-    note_kept(note, kept, "m");
-    note_kept(note, velocity_kept, "m s-1");
+    note_unconverted(note, unconverted, "m");
+    note_unconverted(note, unconverted_velocity, "m s-1");
     return note;
 }
 

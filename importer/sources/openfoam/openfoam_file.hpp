@@ -1,5 +1,5 @@
 // The parts of OpenFOAM's files, plain or compressed with gzip, that the importer itself reads: headers,
-// units, patches. VTK reads the values, or openfoam_values.hpp. Format: OpenFOAM User Guide, "Basic
+// units, patches. VTK reads the values, or openfoam_values.cpp. Format: OpenFOAM User Guide, "Basic
 // input/output file format".
 #pragma once
 

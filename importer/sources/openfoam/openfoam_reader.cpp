@@ -1,11 +1,10 @@
 #include "importer/sources/openfoam/openfoam_reader.hpp"
 
 #include "core/base/result.hpp"
-#include "importer/base/process_memory.hpp"
-#include "importer/base/vtk_messages.hpp"
+#include "importer/base/library_messages.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/sources/openfoam/openfoam_case.hpp"
 #include "importer/sources/openfoam/openfoam_file.hpp"
-#include "importer/sources/openfoam/openfoam_times.hpp"
-#include "importer/sources/openfoam/openfoam_values.hpp"
 
 #include <vtkCellData.h>
 #include <vtkFloatArray.h>
@@ -29,6 +28,7 @@
 
 namespace wakesurf::importer {
 
+namespace fs = std::filesystem;
 using core::Error;
 using core::FieldInfo;
 
@@ -37,8 +37,6 @@ namespace {
 // Checks that a mesh fits into memory, by the lengths of its lists, and that the files that say which cells a
 // face lies between name cells that can exist. One number too large makes VTK's reader allocate, or search,
 // as many cells.
-
-namespace fs = std::filesystem;
 
 using File = std::unique_ptr<gzFile_s, int (*)(gzFile)>;
 

@@ -1,12 +1,17 @@
-// One folder of an OpenFOAM case that holds a mesh, read by VTK, one time-step at a time. Fields whose
-// dimensions name units are read beside it (openfoam_values.hpp).
+// One folder of an OpenFOAM case that holds a mesh, one time-step at a time: VTK reads the mesh, our own code the values.
 #pragma once
 
+#include "core/base/result.hpp"
 #include "importer/base/source.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
 #include "importer/sources/openfoam/openfoam_case.hpp"
 
 #include <vtkOpenFOAMReader.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace wakesurf::importer {
 
@@ -46,5 +51,19 @@ class OpenfoamReader {
     std::string part_;
     vtkSmartPointer<vtkOpenFOAMReader> reader_;
 };
+
+/// The values of a field's file, text and binary, plain and compressed (openfoam_values.cpp). They are not read by VTK's reader: it
+/// takes a field's name from inside the file, fails on dimensions that name units, "[m s^-1]", and on entries for
+/// groups of patches.
+struct FoamValues {
+    std::vector<float> inside; ///< the value of one cell, if it counts for all, or of each
+    /// The values of faces, by patch, likewise; patches without a value are left out.
+    std::map<std::string, std::vector<float>> patches;
+};
+
+/// Reads the values. Error: Corrupt, Unsupported (numbers of another machine). @param name  of the file in
+/// messages
+core::Result<FoamValues>
+read_foam_values(const std::filesystem::path& file, const std::string& name, int components);
 
 } // namespace wakesurf::importer

@@ -1,9 +1,7 @@
-#include "importer/sources/openfoam/openfoam_scan.hpp"
-
-#include "importer/base/notes.hpp"
-#include "importer/sources/files/named_path.hpp"
+#include "importer/base/text.hpp"
+#include "importer/sources/files/source_files.hpp"
+#include "importer/sources/openfoam/openfoam_case.hpp"
 #include "importer/sources/openfoam/openfoam_file.hpp"
-#include "importer/sources/openfoam/openfoam_times.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -1,9 +1,9 @@
-#include "importer/base/notes.hpp"
-#include "importer/sources/blocks/wall_patches.hpp"
+#include "importer/base/text.hpp"
+#include "importer/sources/blocks/block_roles.hpp"
 #include "importer/sources/files/formats.hpp"
+#include "importer/sources/openfoam/openfoam_case.hpp"
 #include "importer/sources/openfoam/openfoam_file.hpp"
 #include "importer/sources/openfoam/openfoam_reader.hpp"
-#include "importer/sources/openfoam/openfoam_scan.hpp"
 
 #include <vtkBoundingBox.h>
 #include <vtkCell.h>

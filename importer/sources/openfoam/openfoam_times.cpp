@@ -1,9 +1,8 @@
-#include "importer/sources/openfoam/openfoam_times.hpp"
 
-#include "importer/base/notes.hpp"
-#include "importer/base/progress_marks.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/base/text.hpp"
+#include "importer/sources/openfoam/openfoam_case.hpp"
 #include "importer/sources/openfoam/openfoam_file.hpp"
-#include "importer/sources/openfoam/openfoam_settings.hpp"
 #include "store/velocity_names.hpp"
 
 #include <algorithm>
@@ -416,9 +415,10 @@ core::Result<void> find_foam_times(FoamCase& found) {
         if (!found.regions[r].fluid)
             continue;
         most = std::max(most, with[r].size());
-        if (auto kept = keep_common_times(found, found.regions[r], velocity, with[r], left_out);
-            !kept)
-            return kept;
+        if (auto found_times =
+                keep_common_times(found, found.regions[r], velocity, with[r], left_out);
+            !found_times)
+            return found_times;
         if (!any)
             times = with[r];
         any = true;
@@ -446,11 +446,11 @@ core::Result<void> find_foam_times(FoamCase& found) {
 core::Result<void> keep_times_of_last_mesh(FoamCase& found) {
     MeshChanges changes;
     for (const auto& part : found.parts)
-        if (auto looked = find_changes(found, part, changes); !looked)
-            return looked;
+        if (auto compared = find_changes(found, part, changes); !compared)
+            return compared;
     if (!changes.empty()) {
         const auto& [from, last] = *changes.rbegin();
-        const auto kept =
+        const auto first_left =
             std::find_if(found.times.begin(), found.times.end(),
                          [from = from](const auto& time) { return time.value >= from; });
         // Meshes before the last one at which there is a velocity.
@@ -464,15 +464,15 @@ core::Result<void> keep_times_of_last_mesh(FoamCase& found) {
         }
         const bool cells = std::any_of(changes.begin(), changes.end(),
                                        [](const auto& change) { return change.second.cells; });
-        if (std::distance(kept, found.times.end()) == 1 && (!cells || before > 1)) {
+        if (std::distance(first_left, found.times.end()) == 1 && (!cells || before > 1)) {
             const MeshChange& first = changes.begin()->second;
             return core::fail(Error::Code::Unsupported,
                               "the mesh moves: " + first.after + " of " + found.file +
                                   " differs from " + first.before,
                               "only meshes that do not move can be read");
         }
-        add_note(found.note, left_out({found.times.begin(), kept}, last));
-        found.times.erase(found.times.begin(), kept);
+        add_note(found.note, left_out({found.times.begin(), first_left}, last));
+        found.times.erase(found.times.begin(), first_left);
     }
     found.mesh_times = times_with_mesh(found);
     return {};

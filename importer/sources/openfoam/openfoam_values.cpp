@@ -1,6 +1,5 @@
-#include "importer/sources/openfoam/openfoam_values.hpp"
-
 #include "importer/sources/openfoam/openfoam_file.hpp"
+#include "importer/sources/openfoam/openfoam_reader.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "importer/sources/plot3d/plot3d_files.hpp"
 
-#include "importer/sources/files/file_names.hpp"
-#include "importer/sources/files/named_path.hpp"
+#include "importer/base/text.hpp"
+#include "importer/sources/files/source_files.hpp"
 #include "importer/sources/series/numbered_files.hpp"
 
 #include <nlohmann/json.hpp>
@@ -155,8 +155,8 @@ core::Result<Plot3dFiles> read_meta(const fs::path& file) {
         const auto solution_path = named_path(file.parent_path(), solution, name);
         if (!grid_path || !solution_path)
             return tl::unexpected(grid_path ? solution_path.error() : grid_path.error());
-        Plot3dStep step{{*grid_path, told_name(grid), {}},
-                        {*solution_path, told_name(solution), {}},
+        Plot3dStep step{{*grid_path, name_for_messages(grid), {}},
+                        {*solution_path, name_for_messages(solution), {}},
                         std::nullopt};
         if (entry.contains("time")) {
             if (!entry["time"].is_number() || !std::isfinite(entry["time"].get<double>()))

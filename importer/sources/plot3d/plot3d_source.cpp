@@ -1,14 +1,11 @@
-#include "importer/base/notes.hpp"
-#include "importer/base/process_memory.hpp"
-#include "importer/base/vtk_messages.hpp"
+#include "importer/base/library_messages.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/base/text.hpp"
 #include "importer/sources/blocks/fluid_blocks.hpp"
 #include "importer/sources/blocks/vtk_fields.hpp"
-#include "importer/sources/files/file_names.hpp"
 #include "importer/sources/files/formats.hpp"
 #include "importer/sources/files/source_files.hpp"
-#include "importer/sources/plot3d/fortran_numbers.hpp"
 #include "importer/sources/plot3d/plot3d_files.hpp"
-#include "importer/sources/plot3d/plot3d_layout.hpp"
 #include "importer/sources/series/series_times.hpp"
 
 #include <vtkFloatArray.h>

@@ -1,8 +1,7 @@
 #include "importer/sources/series/numbered_files.hpp"
 
-#include "importer/base/lower_case.hpp"
-#include "importer/sources/files/file_names.hpp"
-#include "importer/sources/files/named_path.hpp"
+#include "importer/base/text.hpp"
+#include "importer/sources/files/source_files.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "importer/sources/series/series_times.hpp"
 
-#include "importer/base/notes.hpp"
+#include "importer/base/text.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,9 @@
-#include "importer/sources/vtk/composite_file.hpp"
-
 #include "core/base/disk.hpp"
-#include "importer/base/vtk_messages.hpp"
+#include "importer/base/library_messages.hpp"
+#include "importer/base/text.hpp"
 #include "importer/sources/files/bounded_xml.hpp"
-#include "importer/sources/files/file_names.hpp"
-#include "importer/sources/files/named_path.hpp"
+#include "importer/sources/files/source_files.hpp"
+#include "importer/sources/vtk/vtk_file.hpp"
 #include "importer/sources/vtk/xml_header.hpp"
 
 #include <string_view>
@@ -85,7 +84,8 @@ class Expansion {
                 const auto path = named_path(file.path.parent_path(), name, file.name);
                 if (!path)
                     return tl::unexpected(path.error());
-                if (auto added = add({*path, told_name(name), here}, file.name, depth + 1); !added)
+                if (auto added = add({*path, name_for_messages(name), here}, file.name, depth + 1);
+                    !added)
                     return added;
             }
         }
@@ -110,7 +110,8 @@ class Expansion {
             const auto path = named_path(file.path.parent_path(), name, file.name);
             if (!path)
                 return tl::unexpected(path.error());
-            if (auto added = pieces.add({*path, told_name(name), file.block}, file.name, depth + 1);
+            if (auto added =
+                    pieces.add({*path, name_for_messages(name), file.block}, file.name, depth + 1);
                 !added)
                 return added;
         }

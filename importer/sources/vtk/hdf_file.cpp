@@ -1,8 +1,7 @@
-#include "importer/sources/vtk/hdf_file.hpp"
-
-#include "importer/base/process_memory.hpp"
-#include "importer/base/vtk_messages.hpp"
-#include "importer/sources/files/file_names.hpp"
+#include "importer/base/library_messages.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/base/text.hpp"
+#include "importer/sources/vtk/vtk_file.hpp"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>

@@ -1,9 +1,7 @@
-#include "importer/sources/vtk/legacy_file.hpp"
-
-#include "importer/base/lower_case.hpp"
-#include "importer/base/process_memory.hpp"
-#include "importer/base/vtk_messages.hpp"
-#include "importer/sources/files/file_names.hpp"
+#include "importer/base/library_messages.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/base/text.hpp"
+#include "importer/sources/vtk/vtk_file.hpp"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -119,18 +117,18 @@ std::optional<std::string> with_marked_gaps(std::istream& in) {
 
 // Replaces the marks by NaN, in points and fields.
 void unmark_gaps(vtkDataSet& data) {
-    const auto each = [](vtkDataArray* array) {
+    const auto unmark_array = [](vtkDataArray* array) {
         if (array != nullptr && array->GetDataType() == VTK_FLOAT)
             unmark(*array, static_cast<double>(std::stof(mark_text)));
         else if (array != nullptr && array->GetDataType() == VTK_DOUBLE)
             unmark(*array, std::stod(mark_text));
     };
     if (auto* set = vtkPointSet::SafeDownCast(&data); set != nullptr && set->GetPoints() != nullptr)
-        each(set->GetPoints()->GetData());
+        unmark_array(set->GetPoints()->GetData());
     for (vtkDataSetAttributes* fields : {static_cast<vtkDataSetAttributes*>(data.GetPointData()),
                                          static_cast<vtkDataSetAttributes*>(data.GetCellData())})
         for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-            each(fields->GetArray(i));
+            unmark_array(fields->GetArray(i));
 }
 
 // A text that was cut in its last number would give another number.

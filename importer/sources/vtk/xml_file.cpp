@@ -1,12 +1,10 @@
-#include "importer/sources/vtk/xml_file.hpp"
-
-#include "importer/base/process_memory.hpp"
-#include "importer/base/vtk_messages.hpp"
+#include "importer/base/library_messages.hpp"
+#include "importer/base/reading_bounds.hpp"
+#include "importer/base/text.hpp"
 #include "importer/sources/files/bounded_xml.hpp"
-#include "importer/sources/files/file_names.hpp"
 #include "importer/sources/series/file_series.hpp"
+#include "importer/sources/vtk/vtk_file.hpp"
 #include "importer/sources/vtk/xml_header.hpp"
-#include "importer/sources/vtk/xml_time.hpp"
 
 #include <vtkXMLImageDataReader.h>
 #include <vtkXMLPImageDataReader.h>

@@ -1,14 +1,18 @@
-// Checks of one of VTK's XML files that VTK does not make: it would fill in or leave out data without a
-// message.
+// The header of one of VTK's XML files: what VTK does not check of it, where it would fill in or leave out data without a message,
+// and the time, read without the rest of the file: series have thousands of files.
 #pragma once
 
 #include "core/base/result.hpp"
 #include "importer/sources/series/file_series.hpp"
+#include "importer/sources/series/series_times.hpp"
 
 #include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <utility>
 
 namespace wakesurf::importer {
 
@@ -28,5 +32,19 @@ core::Result<XmlHeader> read_xml_header(const ListedFile& file, bool listing = f
 /// (VTK leaves other nodes uninitialized); piece sizes are numbers; there is one time-step. Error: Corrupt,
 /// Unsupported (several time-steps in one file: VTK would read the first for each).
 core::Result<void> check_xml_header(const XmlHeader& header, const std::string& name);
+
+/// The names of arrays of the field data that state the time; the preferred ones stand last.
+inline constexpr std::array<std::pair<const char*, std::optional<double> StatedTime::*>, 7>
+    time_arrays{{{"cycle", &StatedTime::cycle},
+                 {"Cycle", &StatedTime::cycle},
+                 {"CYCLE", &StatedTime::cycle}, // VisIt
+                 {"time", &StatedTime::time},
+                 {"Time", &StatedTime::time},
+                 {"TIME", &StatedTime::time},
+                 {"TimeValue", &StatedTime::time}}}; // ParaView
+
+/// Returns time and cycle of the field data, of any type of number. REQUIRES: a VtkMessages lives; a message
+/// of VTK is an error too. Error: Corrupt (one that cannot be read).
+core::Result<StatedTime> xml_time(const ListedFile& file);
 
 } // namespace wakesurf::importer

@@ -3,7 +3,7 @@
 #include "core/dataset/missing_bricks.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "server/base/field_names.hpp"
-#include "store/brick_rows.hpp"
+#include "store/brick_slabs.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // A store's files about its bricks: what is read of them is what was written.
-#include "store/brick_index.hpp"
 #include "store/brick_mask.hpp"
+#include "store/store_layout.hpp"
 #include "tests/fuzz/targets/all.hpp"
 
 #include <algorithm>

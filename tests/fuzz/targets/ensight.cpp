@@ -1,6 +1,6 @@
 // An EnSight case, its geometry and a variable: the input is the three files, a line of equals signs between them.
 #include "importer/sources/ensight/ensight_case.hpp"
-#include "importer/sources/ensight/ensight_variable.hpp"
+#include "importer/sources/ensight/ensight_file.hpp"
 #include "importer/sources/files/formats.hpp"
 #include "tests/fuzz/targets/all.hpp"
 #include "tests/fuzz/targets/scratch_file.hpp"

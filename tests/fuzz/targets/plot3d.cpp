@@ -1,5 +1,5 @@
 // A Plot3D grid file, whose layout follows from its length, and behind a border the solution on it.
-#include "importer/sources/plot3d/plot3d_layout.hpp"
+#include "importer/sources/plot3d/plot3d_files.hpp"
 #include "tests/fuzz/targets/all.hpp"
 #include "tests/fuzz/targets/scratch_file.hpp"
 

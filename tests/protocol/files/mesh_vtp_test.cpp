@@ -1,4 +1,4 @@
-#include "protocol/files/mesh_comments.hpp"
+#include "protocol/files/mesh_metadata.hpp"
 #include "protocol/files/mesh_vtp.hpp"
 #include "tests/support/small_mesh.hpp"
 #include "tests/support/vtp_arrays.hpp"

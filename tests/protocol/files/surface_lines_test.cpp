@@ -1,6 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
-#include "protocol/files/lines_file.hpp"
+#include "protocol/files/surface_lines.hpp"
 #include "tests/support/vtp_arrays.hpp"
 
 #include <gtest/gtest.h>
