@@ -19,7 +19,6 @@
 #include <istream>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -149,54 +148,11 @@ core::Result<void> check_last_number(const ListedFile& file) {
     return {};
 }
 
-/// Returns the numbers behind a word that stands at the beginning of a line.
-std::vector<std::uint64_t> numbers_behind(const std::string& line, std::string_view word) {
-    std::vector<std::uint64_t> out;
-    if (!line.starts_with(word))
-        return out;
-    std::istringstream in(line.substr(word.size()));
-    for (std::uint64_t number = 0; in >> number;)
-        out.push_back(number);
-    return out;
-}
-
-// VTK's reader searches the rest of a file for words if it has no memory for the arrays, which takes hours
-// for a long file.
-core::Result<void> check_size(const ListedFile& file) {
-    constexpr std::size_t header_bytes = 4096;
-    constexpr std::uint64_t bytes_a_node = 12; // a velocity, or a place
-    std::string header(header_bytes, '\0');
-    std::ifstream in(file.path, std::ios::binary);
-    in.read(header.data(), static_cast<std::streamsize>(header.size()));
-    header.resize(static_cast<std::size_t>(in.gcount()));
-    std::istringstream lines(header);
-    bool binary = false;
-    for (std::string line; std::getline(lines, line);) {
-        binary = binary || line.starts_with("BINARY");
-        const auto dimensions = numbers_behind(line, "DIMENSIONS");
-        const auto points = numbers_behind(line, "POINTS");
-        std::uint64_t nodes = points.empty() ? 1 : points.front();
-        for (const std::uint64_t n : dimensions)
-            if (auto fits = check_claim(file.name, std::max<std::uint64_t>(n, 1), nodes); !fits)
-                return fits;
-            else
-                nodes *= std::max<std::uint64_t>(n, 1);
-        if (auto fits = check_claim(file.name, nodes, bytes_a_node); !fits)
-            return fits;
-    }
-    // Reads it as a whole, like the reader.
-    std::error_code error;
-    const auto size = std::filesystem::file_size(file.path, error);
-    return binary && !error ? check_claim(file.name, size, 1) : core::Result<void>();
-}
-
 } // namespace
 
 core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
     if (auto whole = check_last_number(file); !whole)
         return tl::unexpected(whole.error());
-    if (auto fits = check_size(file); !fits)
-        return tl::unexpected(fits.error());
     const VtkMessages messages;
     auto reader = vtkSmartPointer<vtkGenericDataObjectReader>::New();
     reader->SetFileName(file.path.c_str());
@@ -204,6 +160,12 @@ core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
     std::string encoding;
     for (int line = 0; line < 3; ++line)
         std::getline(in, encoding);
+    const bool binary = encoding.starts_with("BINARY");
+    // VTK's reader reads a binary file as a whole. Where it has no memory for an array it searches the rest for words, 15 ms a MiB.
+    std::error_code error;
+    if (const auto size = std::filesystem::file_size(file.path, error); binary && !error)
+        if (auto fits = check_claim(file.name, size, 1); !fits)
+            return tl::unexpected(fits.error());
     std::optional<std::string> marked;
     reader->ReadAllScalarsOn();
     reader->ReadAllVectorsOn();
@@ -211,7 +173,7 @@ core::Result<VtkFile> read_legacy_file(const ListedFile& file) {
     reader->ReadAllTensorsOn();
     reader->ReadAllNormalsOn();
     const auto update = [&] {
-        if (!encoding.starts_with("BINARY"))
+        if (!binary)
             marked = with_marked_gaps(in);
         if (marked) {
             reader->SetInputString(*marked);
