@@ -101,7 +101,7 @@ core::Result<void> VtkMessages::verdict(const std::string& file) const {
                           "there is not enough memory to read " + file);
     const std::string words = sentence_of_library(window->first);
     return core::fail(core::Error::Code::Corrupt,
-                      file + " is damaged or not what it says it is" +
+                      file + " is damaged, or not the kind of file that it claims to be" +
                           (words.empty() ? "" : " (VTK: " + words + ")"));
 }
 

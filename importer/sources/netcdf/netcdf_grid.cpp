@@ -106,7 +106,7 @@ Error why_no_grid(const NetcdfFile& file) {
     };
     if (file.variable("PH") != nullptr && file.variable("PHB") != nullptr)
         return unsupported(
-            "is of WRF: U, V and W are on the faces of its cells, and the heights of "
+            "is a WRF file: U, V and W are on the faces of its cells, and the heights of "
             "these are (PH + PHB) / 9.81",
             "interpolate U, V and W to common nodes at fixed heights, as wrf-python "
             "does (getvar of ua, va, wa, z; then interplevel), and write them over "
