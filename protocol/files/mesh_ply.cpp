@@ -27,7 +27,7 @@ constexpr double coefficients[3][7] = {
      56.69055260068105, -65.35303263337234, 26.3124352495832}};
 
 // The sRGB colour of a value from 0 to 1 by the colour map viridis (Smith, van der Walt; CC0); other values get the colour of the
-// nearer end, NaN the lower one's. Within 4 of 255 of the table in web-client/src/scene/surface/viridis.ts.
+// nearer end, NaN the lower one's. Within 4 of 255 of the table in web-client/src/scene/surface/colourMap.ts.
 std::array<std::uint8_t, 3> viridis(double value) {
     const double x = value > 0.0 ? std::min(value, 1.0) : 0.0; // NaN is not above 0
     std::array<std::uint8_t, 3> out{};
