@@ -69,8 +69,8 @@ class PosixDisk final : public Disk {
                       std::span<std::byte> out) const override;
 };
 
-/// Reads like PosixDisk what lies in `folder` and below. Error: Io for any other path, and for one with a link in it;
-/// `folder` itself may be one.
+/// Reads like PosixDisk what lies in `folder` and below. Error: Io for any other path, and for one with a
+/// link in it; `folder` itself may be one.
 class FolderDisk final : public Disk {
   public:
     explicit FolderDisk(std::filesystem::path folder) : folder_(std::move(folder)) {}

@@ -1,6 +1,6 @@
 // The one account of a process's memory: code that takes much opens a share and grows it before it allocates.
-// If it does not fit, holders of reproducible data are asked to release some, in the order of `ReclaimOrder`, or
-// it is refused.
+// If it does not fit, holders of reproducible data are asked to release some, in the order of
+// `ReclaimOrder`, or it is refused.
 #pragma once
 
 #include "core/base/result.hpp"

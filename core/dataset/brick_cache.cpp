@@ -128,8 +128,8 @@ struct BrickCache::State {
         return step;
     }
 
-    /// Forgets unused steps: the empty ones, and as long as there are too many the least recently used one with
-    /// all its bricks, but none of which a brick is on its way.
+    /// Forgets unused steps: the empty ones, and as long as there are too many the least recently used one
+    /// with all its bricks, but none of which a brick is on its way.
     void forget_steps() {
         const auto held = [](const Step& step) { return step.table.use_count() > 1; };
         const auto erase_empty = [&] {
@@ -222,7 +222,7 @@ struct BrickCache::State {
         return reclaimed;
     }
 
-    /// Makes room of the bricks not used for longest. @param keep  those used since then stay, where reclaimed
+    /// Makes room of the bricks not used for longest. @param keep  if given, those used since then stay
     void evict(std::size_t count, std::optional<BrickTable::Age> keep) {
         const BrickTable::Age now = age;
         const auto idle = [&](std::size_t i) {

@@ -101,8 +101,8 @@ class BrickCache {
                        const std::stop_token& stop,
                        std::span<const BrickName> soon = {});
 
-    /// Asks for what is not there yet, as far as there is room that no recently used brick has, and returns at
-    /// once.
+    /// Asks for what is not there yet, as far as there is room that no recently used brick has, and returns
+    /// at once.
     void prefetch(std::span<const BrickName> bricks);
 
     /// Bricks of velocity of a time-step in memory that were used at `since` or later.

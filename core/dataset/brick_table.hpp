@@ -1,5 +1,5 @@
-// The bricks of a time-step that are in memory, their addresses, and the slots that wait for their last reader:
-// filled by the brick cache, read by samplers. See step_nodes.hpp.
+// The bricks of a time-step that are in memory, their addresses, and the slots that wait for their last
+// reader: filled by the brick cache, read by samplers. See step_nodes.hpp.
 #pragma once
 
 #include <algorithm>

@@ -34,8 +34,8 @@ class ScalarSource {
     scalar_values(std::size_t scalar, std::size_t step, const std::stop_token& stop) const = 0;
 };
 
-/// A cache of the scalars last requested. Thread safety: concurrent calls are fine; a caller that asks for one
-/// that is just being read reads it as well.
+/// A cache of the scalars last requested. Thread safety: concurrent calls are fine; a caller that asks for
+/// one that is just being read reads it as well.
 class ScalarSteps {
   public:
     using Values = std::shared_ptr<const Slab>; ///< floats, one a node
@@ -43,8 +43,8 @@ class ScalarSteps {
     /// @param most  held at a time; those in use may be more
     explicit ScalarSteps(std::size_t most) : most_(most) {}
 
-    /// Returns a scalar at a time-step. If it is not in the cache, the one requested longest ago goes, and `read`
-    /// returns it. Error: that of `read`.
+    /// Returns a scalar at a time-step. If it is not in the cache, the one requested longest ago goes, and
+    /// `read` returns it. Error: that of `read`.
     Result<Values>
     get(std::size_t scalar, std::size_t step, const std::function<Result<Slab>()>& read);
 

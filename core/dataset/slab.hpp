@@ -1,5 +1,6 @@
-// Anonymous memory in huge pages for one time-step, and a pool of it: 35-75 % faster advection than 4 KiB pages
-// on 300 MB steps (docs/measurements.md, Pages), and read() into it never faults the way a mapped file can.
+// Anonymous memory in huge pages for one time-step, and a pool of it: 35-75 % faster advection than 4 KiB
+// pages on 300 MB steps (docs/measurements.md, Pages), and read() into it never faults the way a mapped
+// file can.
 #pragma once
 
 #include <cstddef>

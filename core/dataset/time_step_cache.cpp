@@ -27,8 +27,8 @@ constexpr auto poll_interval = 100ms;
 constexpr int polls_when_deadlocked = 3;
 constexpr int polls_when_merely_full = 300;
 
-// After so many polls, reading is a matter of a slow server, and other jobs run meanwhile. Not at once, and not
-// while waiting for room: they would hold time-steps too.
+// After so many polls, reading is a matter of a slow server, and other jobs run meanwhile. Not at once, and
+// not while waiting for room: they would hold time-steps too.
 constexpr int polls_when_slow = 10;
 
 constexpr std::size_t fewest_steps = 4;

@@ -54,8 +54,8 @@ class VelocityProbe {
 };
 
 /// Carries particles that start at the same time for as many steps, all of a surface's, in lockstep: the
-/// kernel takes all the steps of a batch of them. A particle that was slow or outside meanwhile may have ended
-/// there, and is repeated from its start by a RefillBatch, with the same bits.
+/// kernel takes all the steps of a batch of them. A particle that was slow or outside meanwhile may have
+/// ended there, and is repeated from its start by a RefillBatch, with the same bits.
 /// @tparam Field  as of RefillBatch
 template <class Field>
 class LockstepBatch {

@@ -1,5 +1,5 @@
-// Built-in flows by name: `flow:NAME?k=v,...` without the `flow:`, and the catalogue of them. Sampled exactly,
-// never through a grid.
+// Built-in flows by name: `flow:NAME?k=v,...` without the `flow:`, and the catalogue of them. Sampled
+// exactly, never through a grid.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -1,4 +1,5 @@
-// The time-steps of an interval between two stored times, held while particles cross it, and what samples them.
+// The time-steps of an interval between two stored times, held while particles cross it, and what samples
+// them.
 #pragma once
 
 #include "core/base/event_count.hpp"
@@ -50,9 +51,9 @@ class Intervals {
     mutable bool turn_taken_ = false;
 };
 
-/// Samples the grid of a series within an interval of its time-steps. `advance` and `trace` return false where
-/// they were stopped, or a brick could not be read. Optional members, each found by `requires`: sample_at,
-/// may_have_wall, may_cross_wall, brought_in.
+/// Samples the grid of a series within an interval of its time-steps. `advance` and `trace` return false
+/// where they were stopped, or a brick could not be read. Optional members, each found by `requires`:
+/// sample_at, may_have_wall, may_cross_wall, brought_in.
 template <class S>
 concept IntervalSampling = requires(const S& sampling,
                                     const Interval& interval,

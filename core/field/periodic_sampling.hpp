@@ -1,6 +1,6 @@
-// Samples a field that repeats: a particle that leaves the box of the grid through a periodic side goes on from
-// the opposite one. Positions outside are those of the particle's way, which goes on beyond the box; within, each
-// is brought into it, so that what samples the grid knows nothing of this.
+// Samples a field that repeats: a particle that leaves the box of the grid through a periodic side goes on
+// from the opposite one. Positions outside are those of the particle's way, which goes on beyond the box;
+// within, each is brought into it, so that what samples the grid knows nothing of this.
 #pragma once
 
 #include "core/base/node_shares.hpp"
@@ -183,8 +183,8 @@ class PeriodicSampling {
         return crossing ? Met::Side : Met::NoSide;
     }
 
-    /// Returns whether there is another way from the side, which `at.place` is the begin of. If not, that is where
-    /// it came to the side.
+    /// Returns whether there is another way from the side, which `at.place` is the begin of. If not, that
+    /// is where it came to the side.
     bool goes_on(AtSide& at) const {
         const auto next = box_.across(at.crossing);
         at.place = next.value_or(at.crossing.from);

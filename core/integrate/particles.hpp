@@ -14,7 +14,8 @@ namespace wakesurf::core {
 /// A particle of a moving surface: its position and two tangents of the surface there, w' = (grad v) w. The
 /// tangents give cubic interpolation between particles, normals and deformation, and with how much the fluid
 /// expands the growth of errors. Source: Schneider, Wiebel,
-/// Scheuermann, Smooth Stream Surfaces of Fourth Order Precision, EuroVis 2009 (one tangent, stream surfaces).
+/// Scheuermann, Smooth Stream Surfaces of Fourth Order Precision, EuroVis 2009 (one tangent, stream
+/// surfaces).
 struct Carried {
     Vec3 position{0.0};
     Vec3 along_s{0.0};

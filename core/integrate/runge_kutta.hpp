@@ -1,6 +1,7 @@
 // Runge-Kutta steps with dense output through any field with a velocity: Dormand-Prince 5(4) under error
-// control, and classic RK4 of one length. The state is position and arc length; the field is continued smoothly
-// a step beyond the domain. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I, II.5-II.6.
+// control, and classic RK4 of one length. The state is position and arc length; the field is continued
+// smoothly a step beyond the domain. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential
+// Equations I, II.5-II.6.
 #pragma once
 
 #include "core/integrate/advance_curve.hpp"

@@ -1,6 +1,6 @@
 // How far a particle may be from where it should be on a surface that the flow moves and deforms. Across the
-// surface it is the stated error: what has slid along the surface is where the surface is. In any direction it
-// decides when a vertex is traced again.
+// surface it is the stated error: what has slid along the surface is where the surface is. In any direction
+// it decides when a vertex is traced again.
 #pragma once
 
 #include "core/base/vec3.hpp"

@@ -1,6 +1,6 @@
 // The wall of an obstacle as a mesh for display: the faces midway between fluid and solid nodes, where the
-// flow stops particles (SolidMask). It is drawn with the velocity near by: fluid at a wall has none. Laramee et
-// al. 2004 show it so on the boundaries of meshes.
+// flow stops particles (SolidMask). It is drawn with the velocity near by: fluid at a wall has none.
+// Laramee et al. 2004 show it so on the boundaries of meshes.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -90,7 +90,8 @@ std::optional<StatedError> stated_error(const QuadComplex& complex, double separ
 /// Returns the length of the longest sub-edge (sides cut at their mid nodes).
 double longest_edge(const QuadComplex& complex);
 
-/// A mesh whose vertices and cells have ids that last from one state of a surface to the next. Ids ascend; an id is never used again for something else.
+/// A mesh whose vertices and cells have ids that last from one state of a surface to the next. Ids ascend;
+/// an id is never used again for something else.
 struct KeyedMesh {
     QuadComplex mesh;                     ///< the mesh itself
     std::vector<std::uint32_t> vertex_id; ///< of each vertex

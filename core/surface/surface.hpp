@@ -1,4 +1,5 @@
-// A finished surface: its mesh, what making it took, and the times of its vertices, at which fields are sampled.
+// A finished surface: its mesh, what making it took, and the times of its vertices, at which fields are
+// sampled.
 #pragma once
 
 #include "core/surface/quad_complex.hpp"

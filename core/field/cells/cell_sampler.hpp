@@ -1,7 +1,7 @@
 // The stored field of a cell mesh between its nodes: VTK's shape functions in space, linear in time. A pair
 // of time-steps, or one for a frozen field. Mirrors what vtkProbeFilter returns. In a tetrahedron the stored
-// velocity is linear, and a steady path has a closed form by the exponential of its matrix: Scheuermann, Bobach,
-// Hagen, Mahrous, Hamann, Joy, Kollmann, A Tetrahedra-Based Stream Surface Algorithm, 2001.
+// velocity is linear, and a steady path has a closed form by the exponential of its matrix: Scheuermann,
+// Bobach, Hagen, Mahrous, Hamann, Joy, Kollmann, A Tetrahedra-Based Stream Surface Algorithm, 2001.
 #pragma once
 
 #include "core/base/vec3.hpp"
@@ -46,8 +46,8 @@ inline Vec3 linear_way(const glm::dmat3& slope, const Vec3& v, double t) {
     return way;
 }
 
-/// Turns places about the axis of an axisymmetric mesh into its half plane, and vectors back. It keeps the turn
-/// of the last place. Without an axis it changes nothing.
+/// Turns places about the axis of an axisymmetric mesh into its half plane, and vectors back. It keeps the
+/// turn of the last place. Without an axis it changes nothing.
 class Meridian {
   public:
     explicit Meridian(const std::optional<SymmetryAxis>& axis) : axis_(axis) {
@@ -241,8 +241,8 @@ class CellSamplerCursor {
                              [&](std::uint32_t cell) { return field_.usable(cell); });
     }
 
-    /// Returns the place of a particle that came to `p`, inside: on the side of the fluid if it slides along that and
-    /// came beyond it by rounding.
+    /// Returns the place of a particle that came to `p`, inside: on the side of the fluid if it slides
+    /// along that and came beyond it by rounding.
     Vec3 settled(const Vec3& p) const {
         const Vec3 in_mesh = meridian_.enter(p);
         status(p);

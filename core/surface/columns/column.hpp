@@ -15,8 +15,8 @@ namespace wakesurf::core {
 /// not agree, zipping joins columns of any spacing.
 struct ColumnSpacing {
     double longest; ///< arc length between vertices
-    /// Limits the radians that the curve, and the sheet's normal where the curve has its stretch, may turn from
-    /// one vertex to the next; pi: any.
+    /// Limits the radians that the curve, and the sheet's normal where the curve has its stretch, may turn
+    /// from one vertex to the next; pi: any.
     double turn = std::numbers::pi;
 
     /// A turn brings vertices no closer than this part of `longest`, so that a kink does not refine for ever.

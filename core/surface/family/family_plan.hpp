@@ -20,7 +20,7 @@ struct FamilyInflow {
     bool operator==(const FamilyInflow&) const = default;
 };
 
-/// A plane that counts where the flow passes it the way most of it does. A node that no such passage leads to or comes
+/// Passages count where the flow goes the way most of it does. A node that no such passage leads to or comes
 /// from takes one the other way.
 struct FamilyPlane {
     Vec3 point{0.0};

@@ -1,5 +1,5 @@
-// The border of a moving surface: it is clipped where particles leave the domain or meet a body, and thin rims
-// of tears and the specks between tears are removed.
+// The border of a moving surface: it is clipped where particles leave the domain or meet a body, and thin
+// rims of tears and the specks between tears are removed.
 #pragma once
 
 #include "core/base/result.hpp"
@@ -13,9 +13,9 @@
 
 namespace wakesurf::core {
 
-/// On an edge from a living to a dead vertex, the particle that meets the boundary of the domain, or a body, at
-/// the mesh's time. It is searched among the particles of the edge when both its ends were alive, at the
-/// beginning of the step.
+/// On an edge from a living to a dead vertex, the particle that meets the boundary of the domain, or a
+/// body, at the mesh's time. It is searched among the particles of the edge when both its ends were alive,
+/// at the beginning of the step.
 struct EdgeCrossing {
     VertexId living, dead;
     bool found = false;

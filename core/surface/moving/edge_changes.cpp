@@ -137,8 +137,8 @@ void add_bend(const RefinementContext& context,
         wanted.push_back(best);
 }
 
-/// Returns the edge of a bridging triangle that crosses the fold: in (s, t), where its vertices are nearly on one line, the
-/// longest.
+/// Returns the edge of a bridging triangle that crosses the fold: in (s, t), where its vertices are nearly
+/// on one line, the longest.
 unsigned shortcut_of(const MovingMesh& mesh, TriangleId t) {
     const Triangle& here = mesh.triangles[t];
     std::array<ParameterStep, 3> step;

@@ -9,8 +9,8 @@
 
 namespace wakesurf::core {
 
-/// True where turning an edge leaves fewer bridging triangles (see is_bridging()), or makes the worse of the two triangles
-/// better and no edge that would be cut; and turns nothing over in (s, t).
+/// True where turning an edge leaves fewer bridging triangles (see is_bridging()), or makes the worse of
+/// the two triangles better and no edge that would be cut; and turns nothing over in (s, t).
 bool should_flip(const RefinementContext& context, TriangleId t, unsigned k);
 
 /// Turns edges of the triangles in `queue`, and of those that it changes, until none is worth it, or each has
@@ -30,7 +30,8 @@ struct WantedCut {
 bool needs_cut(const RefinementContext& context, TriangleId t);
 
 /// The edges of `candidates`, which are in order, to be cut, the longest first, each once.
-/// @param shape  bends, bulges and bridging triangles count; else only what is too long or goes through an obstacle
+/// @param shape  bends, bulges and bridging triangles count; else only what is too long or goes through an
+/// obstacle
 std::vector<WantedCut>
 wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candidates, bool shape);
 

@@ -1,6 +1,6 @@
-// A streak or time surface from its plan to its mesh at `to`: the moving surface run to its end. What every mesh
-// that is shown of one needs, finished or played: cells that face the same way whichever way time runs, and
-// statistics.
+// A streak or time surface from its plan to its mesh at `to`: the moving surface run to its end. What every
+// mesh that is shown of one needs, finished or played: cells that face the same way whichever way time
+// runs, and statistics.
 #pragma once
 
 #include "core/base/clock.hpp"

@@ -1,5 +1,5 @@
-// The vertices of a moving surface between steps: how long the next step is, the row that leaves the rake, the
-// count of the dead, and the order in memory.
+// The vertices of a moving surface between steps: how long the next step is, the row that leaves the rake,
+// the count of the dead, and the order in memory.
 #pragma once
 
 #include "core/surface/moving/moving_mesh.hpp"

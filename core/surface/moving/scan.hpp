@@ -1,5 +1,5 @@
-// The limits that a step has violated: metrics of every triangle of a moving surface in single precision, many
-// at a time and with some margin, then the exact rules for the few that these select.
+// The limits that a step has violated: metrics of every triangle of a moving surface in single precision,
+// many at a time and with some margin, then the exact rules for the few that these select.
 #pragma once
 
 #include "core/surface/moving/refinement_context.hpp"

@@ -1,7 +1,8 @@
 // The sides of a surface's cells: a number for each piece that two cells share, and its curve. Two vertices
-// beside each other are joined by a cubic that touches the surface at both: its distance from the surface is of
-// fourth order in its length. Source: Schneider, Wiebel, Scheuermann, Smooth Stream Surfaces of Fourth Order
-// Precision, EuroVis 2009, with the tangent planes of Vlachos et al., Curved PN Triangles, 2001.
+// beside each other are joined by a cubic that touches the surface at both: its distance from the surface
+// is of fourth order in its length. Source: Schneider, Wiebel, Scheuermann, Smooth Stream Surfaces of
+// Fourth Order Precision, EuroVis 2009, with the tangent planes of Vlachos et al., Curved PN Triangles,
+// 2001.
 #pragma once
 
 #include "core/base/vec3.hpp"

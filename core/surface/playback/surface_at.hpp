@@ -1,5 +1,5 @@
-// A surface at a time of a clock, computed once and whole: what is downloaded and printed. By the same code as
-// what is shown then, without what live surfaces keep between two times.
+// A surface at a time of a clock, computed once and whole: what is downloaded and printed. By the same code
+// as what is shown then, without what live surfaces keep between two times.
 #pragma once
 
 #include "core/base/clock.hpp"
@@ -18,7 +18,8 @@ namespace wakesurf::core {
 /// True of surfaces that differ from time to time of a clock.
 bool moves(const SurfaceParameters& parameters);
 
-/// Returns the age of a surface, from its (first) release, at a time of the clock, clamped to the times of the surface; at its end without a time.
+/// Returns the age of a surface, from its (first) release, at a time of the clock, clamped to the times of
+/// the surface; at its end without a time.
 double age_at(const SurfaceParameters& parameters, std::optional<double> time);
 
 /// The surface at one time.

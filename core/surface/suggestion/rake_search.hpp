@@ -1,5 +1,5 @@
-// Where a suggested rake may lie: the body in the flow that is most worth a look, and without one a line across
-// the flow, along the inlet as it is shaped rather than along the domain's box.
+// Where a suggested rake may lie: the body in the flow that is most worth showing, and without one a line
+// across the flow, along the inlet as it is shaped rather than along the domain's box.
 #pragma once
 
 #include "core/dataset/wall_geometry.hpp"
@@ -23,8 +23,8 @@ struct FluidLine {
     bool enters = false; ///< fluid enters there; else it is where the flow is fastest
 };
 
-/// Returns the line that sweeps most, through one of the places where most comes in, or else where the fluid is
-/// fastest; at rest the longest. Nothing if the survey met no fluid.
+/// Returns the line that sweeps most, through one of the places where most comes in, or else where the
+/// fluid is fastest; at rest the longest. Nothing if the survey met no fluid.
 /// @param longest  length of the line
 /// @param sweep    at most so long, as a part of the line
 /// Cost: some 40,000 lookups.
