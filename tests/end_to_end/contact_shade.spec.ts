@@ -31,7 +31,7 @@ const before: Sheet = {
     look,
 };
 /** Stands on the first, towards the camera. */
-const shelf: Sheet = {
+const sessionList: Sheet = {
     points: [
         [0.5, 1.5, middle],
         [0.5, middle, middle],
@@ -96,7 +96,7 @@ describe('shade where things touch', () => {
     });
 
     it('is along the line where two sheets touch and nowhere else, with one pixel or two for one of the page, and stays away where someone has chosen that', async () => {
-        const page = await open([upright, shelf]);
+        const page = await open([upright, sessionList]);
         // From above, where both have an area.
         await page.evaluate(() => window.wakesurf!.setCamera([7.5, -4.5, 9], [3, 3.5, 3.5]));
         for (const scale of [1, 2]) {

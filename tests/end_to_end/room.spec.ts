@@ -2,7 +2,7 @@
 import type { Page } from 'playwright-core';
 import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { readFragment } from '../../web-client/src/session/view/urlState.ts';
-import type { SurfaceStanding } from '../../web-client/src/state/appState.ts';
+import type { SurfaceStatus } from '../../web-client/src/state/appState.ts';
 import { ask } from './support/browser_page.ts';
 import { takeHandle } from './support/rake_drag.ts';
 import { useStand } from './support/stand.ts';
@@ -181,7 +181,7 @@ describe('the status', () => {
             .getByText(/^Final, 99 %/)
             .waitFor();
         const before = await height();
-        const tell = (standing: SurfaceStanding | null): Promise<void> =>
+        const tell = (status: SurfaceStatus | null): Promise<void> =>
             page.evaluate((value) => {
                 const status = document
                     .querySelector('wakesurf-app')!
@@ -190,7 +190,7 @@ describe('the status', () => {
                     model: { state: { progress: { value: unknown } } };
                 };
                 status.model.state.progress.value = value;
-            }, standing);
+            }, status);
         const untold = { message: '', time: null, quads: null, remaining: null };
         await tell({ ...untold, surface: 's1', fraction: 0.4, lasting: 'briefly' });
         await page.getByRole('button', { name: 'Stop' }).waitFor();

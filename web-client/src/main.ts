@@ -13,13 +13,13 @@ import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
 import { scriptedPage } from './session/out/scriptedPicture.ts';
 import { Thumbnails } from './session/out/thumbnails.ts';
-import { lookAtFirst } from './session/picture/firstLook.ts';
-import { showStillPictures, showTheme, tellLostGraphics } from './session/picture/drawingSettings.ts';
+import { frameFirstSurface } from './session/picture/initialView.ts';
+import { announceLostGraphics, showStillPictures, showTheme } from './session/picture/drawingSettings.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring, Noting, Probing } from './session/tools/pointTools.ts';
 import { hideSurfaces, measurePixels, showLooks } from './session/picture/looksInPicture.ts';
 import { BodyFlow } from './session/picture/bodyFlow.ts';
-import { tellLackedFields } from './session/picture/surfaceFields.ts';
+import { announceMissingFields } from './session/picture/surfaceFields.ts';
 import { ImportWait } from './session/importWait.ts';
 import { OpenDataset } from './session/openDataset.ts';
 import { connectPainting } from './session/tools/painting.ts';
@@ -30,7 +30,7 @@ import { chooseKind } from './session/time/kindChoice.ts';
 import { Playback } from './session/time/playback.ts';
 import { Suggestions } from './session/sessions/defaultScene.ts';
 import { connectRakes, showRakes } from './session/picture/rakesInPicture.ts';
-import { handOut, ServerNews } from './session/serverEvents.ts';
+import { dispatchWorkerEvent, ServerEvents } from './session/serverEvents.ts';
 import { SessionController } from './session/sessionController.ts';
 import {
     baseUrl,
@@ -42,7 +42,7 @@ import {
     writeFragment,
 } from './session/view/urlState.ts';
 import { OwnCopy } from './session/sessions/ownCopy.ts';
-import { SessionShelf } from './session/sessions/sessionShelf.ts';
+import { SessionList } from './session/sessions/sessionList.ts';
 import { SurfaceOutcomes, SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
 import { showUnits, typeUnits } from './session/picture/writtenNumbers.ts';
@@ -88,7 +88,7 @@ function start(app: App): void {
     const progress = new SurfaceProgress({ state, worker, calls });
     showPeople(state, view, scene);
     showTheme(view, scene);
-    tellLostGraphics(state, canvas);
+    announceLostGraphics(state, canvas);
     showStillPictures(view, scene, graphics);
     showMarks(state, view, scene);
     showUnits(state, view, scene);
@@ -110,7 +110,7 @@ function start(app: App): void {
     showLooks({ state, view, scene, worker });
     measurePixels(scene.controls, state, view.pixelsPerLength);
     connectPainting(view, scene);
-    lookAtFirst({
+    frameFirstSurface({
         ...{ state, controls: scene.controls, surfaces: scene.surfaces },
         dragging: () => scene.interaction.dragging,
     });
@@ -119,7 +119,7 @@ function start(app: App): void {
     const outcomes = new SurfaceOutcomes({ state, worker });
     const views = new Views({ state, view, scene, url });
     const ownCopy = new OwnCopy({ state, calls, views });
-    tellLackedFields({ state, view, ownCopy });
+    announceMissingFields({ state, view, ownCopy });
     connectRakes({ state, view, scene, edits, people, ownCopy });
     const imports = new ImportWait({ state, worker });
     const thumbnails = new Thumbnails({
@@ -141,7 +141,7 @@ function start(app: App): void {
         thumbnails,
         url,
     });
-    const shelf = new SessionShelf({ state, worker, server, restored: (session) => controller.restored(session) });
+    const sessionList = new SessionList({ state, worker, server, restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
     const bodyFlow = new BodyFlow({
@@ -150,7 +150,7 @@ function start(app: App): void {
         moves: () => playback.mode.value === 'clock',
     });
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
-    const news = new ServerNews({ state, feed, outcomes, people, progress, families, dataset, controller });
+    const events = new ServerEvents({ state, feed, outcomes, people, progress, families, dataset, controller });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar);
     const film = new FilmMaker({ state, view, worker, edits, playback, bodyFlow, figure });
@@ -200,8 +200,8 @@ function start(app: App): void {
             view,
             ownCopy,
             help: { view },
-            sessionHead: { state, view, shelf },
-            datasetHead: { state, shelf },
+            sessionHead: { state, view, sessionList },
+            datasetHead: { state, sessionList },
             rakeList: { state, view, edits },
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
@@ -233,7 +233,9 @@ function start(app: App): void {
         if (other !== null) worker.takeLogin(other);
     };
     const shown = { token: url.token, login: server.login };
-    worker.start(server.base, shown, (event) => handOut(event, { state, feed, news, controller, server, loginEnded }));
+    worker.start(server.base, shown, (event) =>
+        dispatchWorkerEvent(event, { state, feed, events, controller, server, loginEnded }),
+    );
 }
 
 const app = document.querySelector('wakesurf-app');

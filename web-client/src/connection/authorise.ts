@@ -2,7 +2,7 @@
 // failed, so an ordinary request first finds out whether the server is there and lets us in.
 import { isObject } from '../protocol/jsonRpc.ts';
 import { subprotocol } from '../protocol/messages.ts';
-import { faultOf, type KeptLogin } from './ownServer.ts';
+import { faultOf, type StoredLogin } from './ownServer.ts';
 import { HopelessError, type OpenSocket } from './liveSocket.ts';
 
 const requestTimeoutMs = 8000;
@@ -19,7 +19,7 @@ export class EndedLogin extends HopelessError {}
 
 /** Null: the server lets every user in. Error: HopelessError when it refuses what we have, or asks for what
  *  we do not have. */
-export async function authorise(baseUrl: string, shown: Credentials): Promise<KeptLogin | null> {
+export async function authorise(baseUrl: string, shown: Credentials): Promise<StoredLogin | null> {
     const response = await request(baseUrl, shown);
     if (response.status === 401 && shown.token === null && shown.login !== null) throw new EndedLogin(endedLogin);
     if (response.status === 401) throw new HopelessError(shown.token === null ? missingToken() : wrongToken);
@@ -33,7 +33,7 @@ function nothing({ token, login }: Credentials): boolean {
     return token === null && login === null;
 }
 
-function readLogin(answer: unknown): KeptLogin {
+function readLogin(answer: unknown): StoredLogin {
     const { login, session = null } = isObject(answer) ? answer : {};
     if (typeof login !== 'string' || (session !== null && typeof session !== 'string')) {
         throw new Error('The server answered the login in a way that this page does not understand.');

@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { emptyStorage } from '../testing/fakes.ts';
-import { KeptLogins, OwnServer } from './ownServer.ts';
+import { LoginStore, OwnServer } from './ownServer.ts';
 
 const base = 'http://localhost/flow/';
 const host = { login: 'aa.1.1..mac', session: null };
@@ -17,8 +17,8 @@ function anotherWindow(): void {
 
 describe('the login of a page', () => {
     it('is that of its window, and in another window the one that lets in most', () => {
-        new OwnServer(base).took(host);
-        new OwnServer(base).took(viewer);
+        new OwnServer(base).loggedIn(host);
+        new OwnServer(base).loggedIn(viewer);
         expect(new OwnServer(base, 'session-3').login).toBe(viewer.login);
         anotherWindow();
         // A link that a user made us open does not make us a viewer.
@@ -28,8 +28,8 @@ describe('the login of a page', () => {
 
     it('is for the session that is shown where there are several links', () => {
         const other = { login: 'cc.1.1.g2.mac', session: 'session-4' };
-        new OwnServer(base).took(viewer);
-        new OwnServer(base).took(other);
+        new OwnServer(base).loggedIn(viewer);
+        new OwnServer(base).loggedIn(other);
         anotherWindow();
         expect(new OwnServer(base, 'session-3').login).toBe(viewer.login);
         expect(new OwnServer(base, 'session-4').login).toBe(other.login);
@@ -38,7 +38,7 @@ describe('the login of a page', () => {
     });
 
     it('is another one below another path', () => {
-        new OwnServer(base).took(host);
+        new OwnServer(base).loggedIn(host);
         anotherWindow();
         expect(new OwnServer('http://localhost/other/').login).toBeNull();
     });
@@ -47,7 +47,7 @@ describe('the login of a page', () => {
         vi.stubGlobal('localStorage', undefined);
         vi.stubGlobal('sessionStorage', undefined);
         const server = new OwnServer(base);
-        server.took(host);
+        server.loggedIn(host);
         expect(server.login).toBe(host.login);
     });
 
@@ -65,7 +65,7 @@ describe('the login of a page', () => {
             return Response.json({});
         });
         const server = new OwnServer(base);
-        server.took(host);
+        server.loggedIn(host);
         await server.fetch('api/v1/sessions', { method: 'POST', headers: { 'Content-Type': 'application/json' } });
         const headers = { 'Content-Type': 'application/json', Authorization: `Bearer ${host.login}` };
         expect(asked).toEqual([['http://localhost/flow/api/v1/sessions', { method: 'POST', headers }]]);
@@ -76,9 +76,9 @@ describe('logging out', () => {
     it('forgets the login, in all its texts, and no other', async () => {
         vi.stubGlobal('fetch', async () => Response.json({ durable: true }));
         const server = new OwnServer(base);
-        server.took(viewer);
-        server.took({ ...host, login: 'aa.1.1..older' });
-        server.took(host);
+        server.loggedIn(viewer);
+        server.loggedIn({ ...host, login: 'aa.1.1..older' });
+        server.loggedIn(host);
         expect(await server.logOut()).toBe('');
         expect(server.login).toBeNull();
         anotherWindow();
@@ -88,14 +88,14 @@ describe('logging out', () => {
     it('says where the server could not keep it', async () => {
         vi.stubGlobal('fetch', async () => Response.json({ durable: false, hint: 'disk full' }));
         const server = new OwnServer(base);
-        server.took(host);
+        server.loggedIn(host);
         expect(await server.logOut()).toMatch(/could not write that down/);
         expect(server.login).toBeNull();
     });
 
     it('says where it has not worked that one is still logged in', async () => {
         const server = new OwnServer(base);
-        server.took(host);
+        server.loggedIn(host);
         vi.stubGlobal('fetch', async () => Response.json({}, { status: 503 }));
         await expect(server.logOut()).rejects.toThrow('You are still logged in. The server answered with status 503.');
         vi.stubGlobal('fetch', () => Promise.reject(new TypeError('failed')));
@@ -109,26 +109,26 @@ describe('the logins of a browser', () => {
     afterEach(() => void vi.unstubAllGlobals());
 
     it('lead from a session into a copy of it and back, in one window', () => {
-        const kept = new KeptLogins('http://localhost/');
+        const kept = new LoginStore('http://localhost/');
         const [link, copy] = [
             { login: 'a.1', session: 'main' },
             { login: 'b.1', session: 'session-2' },
         ];
-        kept.keep(link);
-        kept.keep(copy);
+        kept.add(link);
+        kept.add(copy);
         expect(kept.recall('session-2')).toEqual(copy);
         expect(kept.recall('main')).toEqual(link);
         expect(kept.recall(null)).toEqual(copy);
-        kept.drop('a.1');
+        kept.remove('a.1');
         expect(kept.recall('main'), 'the server says what it is not good for').toEqual(copy);
     });
 
     it('let a window that came by a link be what the link allows, beside one that has the token', () => {
-        const kept = new KeptLogins('http://localhost/');
-        kept.keep({ login: 'token.1', session: null });
+        const kept = new LoginStore('http://localhost/');
+        kept.add({ login: 'token.1', session: null });
         emptyStorage('sessionStorage');
         const link = { login: 'a.1', session: 'main' };
-        kept.keep(link);
+        kept.add(link);
         expect(kept.recall('main')).toEqual(link);
         emptyStorage('sessionStorage');
         expect(kept.recall('main')?.session, 'another window').toBeNull();

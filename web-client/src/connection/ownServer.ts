@@ -7,14 +7,14 @@ import { errorWords, readError } from '../protocol/messages.ts';
 export class OwnServer {
     /** Address, with a slash at the end. */
     readonly base: string;
-    private readonly kept: KeptLogins;
-    private current: KeptLogin | null;
+    private readonly store: LoginStore;
+    private current: StoredLogin | null;
 
     /** @param session that is to be shown, if it is known */
     constructor(base: string, session: string | null = null) {
         this.base = base;
-        this.kept = new KeptLogins(base);
-        this.current = this.kept.recall(session);
+        this.store = new LoginStore(base);
+        this.current = this.store.recall(session);
     }
 
     get login(): string | null {
@@ -22,23 +22,23 @@ export class OwnServer {
     }
 
     /** The page has logged in. */
-    took(login: KeptLogin): void {
+    loggedIn(login: StoredLogin): void {
         this.current = login;
-        this.kept.keep(login);
+        this.store.add(login);
     }
 
     /** Another window has logged in while this one is not let in. */
     onOther(session: () => string | null, act: (login: string) => void): void {
-        this.kept.onChange(() => {
-            const other = this.kept.shared(session());
+        this.store.onChange(() => {
+            const other = this.store.shared(session());
             if (other !== null && other.login !== this.login) act(other.login);
         });
     }
 
     /** A login is not good any more: the next that may be, or null. */
     ended(login: string, session: string | null): string | null {
-        this.kept.drop(login);
-        this.current = this.kept.shared(session);
+        this.store.remove(login);
+        this.current = this.store.shared(session);
         return this.login;
     }
 
@@ -59,14 +59,14 @@ export class OwnServer {
             throw new Error('The server cannot be reached, so you are still logged in. Try again when there is a connection.');
         }
         if (!reply.ok) throw new Error(`You are still logged in. ${(await faultOf(reply)).message}`);
-        this.kept.drop(login);
+        this.store.remove(login);
         this.current = null;
         const answer: unknown = await reply.json().catch(() => null);
-        return isObject(answer) && answer['durable'] === false ? notKept : '';
+        return isObject(answer) && answer['durable'] === false ? notDurable : '';
     }
 }
 
-const notKept =
+const notDurable =
     'The server could not write that down: after a restart of it, someone who has copied this login could use it. ' +
     'Whoever runs the server sees why in its log.';
 
@@ -76,17 +76,17 @@ export function signed(login: string | null, init: RequestInit = {}): RequestIni
     return { ...init, headers: { ...(init.headers as Record<string, string> | undefined), Authorization: `Bearer ${login}` } };
 }
 
-export interface KeptLogin {
+export interface StoredLogin {
     /** Holds what the server takes for a while in place of the token. */
     login: string;
     /** The only session it is good for; null: every one. */
     session: string | null;
 }
 
-const mostKept = 16;
+const maxLogins = 16;
 
 /** One list for each server, as several may be below paths of one origin. */
-export class KeptLogins {
+export class LoginStore {
     private readonly name: string;
 
     /** @param baseUrl address of the server, with a slash at the end */
@@ -99,14 +99,14 @@ export class KeptLogins {
      * copy and back.
      * @param session that is to be shown, if it is known
      */
-    recall(session: string | null): KeptLogin | null {
+    recall(session: string | null): StoredLogin | null {
         const own = this.read(() => sessionStorage);
-        const fits = (each: KeptLogin): boolean => session === null || each.session === null || each.session === session;
+        const fits = (each: StoredLogin): boolean => session === null || each.session === null || each.session === session;
         return own.find(fits) ?? this.shared(session) ?? own[0] ?? null;
     }
 
     /** The one that lets in most: a link that a user has others open takes nothing from who has more. */
-    shared(session: string | null): KeptLogin | null {
+    shared(session: string | null): StoredLogin | null {
         const all = this.read(() => localStorage);
         return (
             all.find((each) => each.session === null) ??
@@ -117,15 +117,15 @@ export class KeptLogins {
     }
 
     /** One takes the place of those for the same session. */
-    keep(made: KeptLogin): void {
+    add(made: StoredLogin): void {
         for (const place of [() => localStorage, () => sessionStorage]) {
             const others = this.read(place).filter(({ session }) => session !== made.session);
-            this.write(place, [made, ...others].slice(0, mostKept));
+            this.write(place, [made, ...others].slice(0, maxLogins));
         }
     }
 
     /** It has ended. */
-    drop(login: string): void {
+    remove(login: string): void {
         for (const place of [() => localStorage, () => sessionStorage]) {
             const all = this.read(place);
             const left = all.filter((each) => !sameLogin(each.login, login));
@@ -141,16 +141,16 @@ export class KeptLogins {
     }
 
     /** Browsers may be told to keep nothing: then each page needs its link. */
-    private read(place: () => Storage): KeptLogin[] {
+    private read(place: () => Storage): StoredLogin[] {
         try {
-            const kept: unknown = JSON.parse(place().getItem(this.name) ?? '[]');
-            return Array.isArray(kept) ? kept.filter(isKeptLogin) : [];
+            const stored: unknown = JSON.parse(place().getItem(this.name) ?? '[]');
+            return Array.isArray(stored) ? stored.filter(isStoredLogin) : [];
         } catch {
             return [];
         }
     }
 
-    private write(place: () => Storage, logins: readonly KeptLogin[]): void {
+    private write(place: () => Storage, logins: readonly StoredLogin[]): void {
         try {
             place().setItem(this.name, JSON.stringify(logins));
         } catch {
@@ -164,9 +164,9 @@ function sameLogin(a: string, b: string): boolean {
     return a.split('.')[0] === b.split('.')[0];
 }
 
-function isKeptLogin(value: unknown): value is KeptLogin {
+function isStoredLogin(value: unknown): value is StoredLogin {
     if (typeof value !== 'object' || value === null) return false;
-    const { login, session } = value as Partial<Record<keyof KeptLogin, unknown>>;
+    const { login, session } = value as Partial<Record<keyof StoredLogin, unknown>>;
     return typeof login === 'string' && (session === null || typeof session === 'string');
 }
 

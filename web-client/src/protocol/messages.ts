@@ -39,7 +39,6 @@ export type { ServerInfoResult as ServerInfo } from './generated/server.ts';
 export type {
     SessionEntry,
     SessionImportResult as SessionImported,
-    SessionListResult as SessionList,
     SessionMade,
     Snapshot as SessionSnapshot,
 } from './generated/session.ts';
@@ -161,10 +160,10 @@ const sieves: { [Method in keyof Notifications]?: Sieve } = {
 
 export function readNotification(method: string, params: Record<string, unknown>): Reading {
     if (!isKnown(method)) return { notification: null, faults: [] };
-    const { kept, faults } = sifted(method, params);
-    const fault = notificationChecks[method](kept);
+    const { checked, faults } = sifted(method, params);
+    const fault = notificationChecks[method](checked);
     if (fault !== null) return { notification: null, faults: [...faults, faultIn(method, fault)] };
-    return { notification: { ...kept, method } as Notification, faults };
+    return { notification: { ...checked, method } as Notification, faults };
 }
 
 function isKnown(method: string): method is keyof Notifications {
@@ -174,14 +173,14 @@ function isKnown(method: string): method is keyof Notifications {
 function sifted(
     method: keyof Notifications,
     params: Record<string, unknown>,
-): { kept: Record<string, unknown>; faults: string[] } {
+): { checked: Record<string, unknown>; faults: string[] } {
     const sieve = sieves[method];
     const entries = sieve === undefined ? null : params[sieve.list];
-    if (sieve === undefined || !Array.isArray(entries)) return { kept: params, faults: [] };
+    if (sieve === undefined || !Array.isArray(entries)) return { checked: params, faults: [] };
     const judged = entries.map((entry: unknown) => ({ entry, fault: sieve.faultOf(entry) }));
     const sound = judged.filter(({ fault }) => fault === null).map(({ entry }) => entry);
     const faults = judged.map(({ fault }) => fault).filter((fault) => typeof fault === 'string');
-    return { kept: { ...params, [sieve.list]: sound }, faults };
+    return { checked: { ...params, [sieve.list]: sound }, faults };
 }
 
 /** The description of a patch leaves open which of its records belongs to which type. */

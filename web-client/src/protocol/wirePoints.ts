@@ -33,10 +33,10 @@ export class PointsReader {
         const stayed = vertices - edit.addedVertices;
         this.rest = numbers.rest;
         const channels: Series[] = [mesh.position, ...mesh.codes];
-        this.readSort(numbers, channels, predictorsOf.moved, thingsIn(edit.movedVertices), (i, some, coding) => {
+        this.readSort(numbers, channels, predictorsOf.moved, thingsIn(edit.movedVertices), (i, block, coding) => {
             const { predictor, residuals, scale, still } = coding;
             if (still && predictor === 0 && i > 0) return; // such a code stays as it is
-            move(channels[i]!, neighbours, predictor, some, residuals, scale);
+            move(channels[i]!, neighbours, predictor, block, residuals, scale);
         });
         channels.push(changeSeries(mesh.position));
         const added = thingsIn({ all: [{ begin: stayed, end: vertices }], count: edit.addedVertices });

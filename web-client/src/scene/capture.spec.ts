@@ -91,7 +91,7 @@ describe('barIn', () => {
 describe('tiles', () => {
     it('are one where the picture can be drawn at once, without a margin', () => {
         const whole = { x: 0, y: 0, width: 300, height: 200 };
-        expect(tilesOf({ width: 300, height: 200 }, 300, 20)).toEqual([{ drawn: whole, kept: whole }]);
+        expect(tilesOf({ width: 300, height: 200 }, 300, 20)).toEqual([{ drawn: whole, inner: whole }]);
     });
 
     it.each([
@@ -106,16 +106,16 @@ describe('tiles', () => {
         'keep each pixel of $width x $height once, with the margin round it, from even places on',
         ({ width, height, side, margin }) => {
             const counts = new Uint8Array(width * height);
-            for (const { drawn, kept } of tilesOf({ width, height }, side, margin)) {
+            for (const { drawn, inner } of tilesOf({ width, height }, side, margin)) {
                 expect(Math.max(drawn.width, drawn.height)).toBeLessThanOrEqual(side);
                 expect([drawn.x % 2, drawn.y % 2].map(Math.abs)).toEqual([0, 0]);
                 const margins = [
-                    ...(width > side ? [kept.x - drawn.x, drawn.x + drawn.width - kept.x - kept.width] : []),
-                    ...(height > side ? [kept.y - drawn.y, drawn.y + drawn.height - kept.y - kept.height] : []),
+                    ...(width > side ? [inner.x - drawn.x, drawn.x + drawn.width - inner.x - inner.width] : []),
+                    ...(height > side ? [inner.y - drawn.y, drawn.y + drawn.height - inner.y - inner.height] : []),
                 ];
                 expect(Math.min(...margins)).toBeGreaterThanOrEqual(Math.min(margin, Math.floor(side / 4)));
-                for (let y = kept.y; y < kept.y + kept.height; ++y) {
-                    for (let x = kept.x; x < kept.x + kept.width; ++x) ++counts[y * width + x]!;
+                for (let y = inner.y; y < inner.y + inner.height; ++y) {
+                    for (let x = inner.x; x < inner.x + inner.width; ++x) ++counts[y * width + x]!;
                 }
             }
             expect(counts.every((count) => count === 1)).toBe(true);

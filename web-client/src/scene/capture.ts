@@ -81,8 +81,8 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
         [figure.width, figure.height] = [width, height];
         const context = figure.getContext('2d', { willReadFrequently: background === 'clear' });
         if (context === null) throw new Error('This browser does not have enough memory for a picture of this size.');
-        for (const { drawn: part, kept } of tiles) {
-            const { x, y } = kept;
+        for (const { drawn: part, inner } of tiles) {
+            const { x, y } = inner;
             const shoot = (colour: Color | null): void => {
                 draw(colour, part);
                 if (drawn.width !== part.width || drawn.height !== part.height || scene.renderer.getContext().isContextLost()) {
@@ -91,13 +91,13 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
                     );
                 }
                 const [left, top] = [x - part.x, y - part.y];
-                context.drawImage(drawn, left, top, kept.width, kept.height, x, y, kept.width, kept.height);
+                context.drawImage(drawn, left, top, inner.width, inner.height, x, y, inner.width, inner.height);
             };
             if (background === 'clear') {
                 shoot(new Color(0, 0, 0));
-                const onBlack = context.getImageData(x, y, kept.width, kept.height);
+                const onBlack = context.getImageData(x, y, inner.width, inner.height);
                 shoot(new Color(1, 1, 1));
-                const onWhite = context.getImageData(x, y, kept.width, kept.height);
+                const onWhite = context.getImageData(x, y, inner.width, inner.height);
                 withoutBackground(onBlack.data, onWhite.data);
                 context.putImageData(onBlack, x, y);
             } else shoot(background === 'white' ? new Color(1, 1, 1) : null);
@@ -273,7 +273,7 @@ export interface Tile {
     /** Holds what is drawn. */
     drawn: Part;
     /** Holds what of it is taken. */
-    kept: Part;
+    inner: Part;
 }
 
 /**
@@ -288,7 +288,7 @@ export function tilesOf({ width, height }: ScreenSize, side: number, margin: num
     return stretchesOf(height, side, edge).flatMap((row) =>
         columns.map((column) => ({
             drawn: { x: column.drawn, y: row.drawn, width: column.drawnLength, height: row.drawnLength },
-            kept: { x: column.kept, y: row.kept, width: column.keptLength, height: row.keptLength },
+            inner: { x: column.inner, y: row.inner, width: column.innerLength, height: row.innerLength },
         })),
     );
 }
@@ -296,17 +296,17 @@ export function tilesOf({ width, height }: ScreenSize, side: number, margin: num
 interface Stretch {
     drawn: number;
     drawnLength: number;
-    kept: number;
-    keptLength: number;
+    inner: number;
+    innerLength: number;
 }
 
 /** Divides one side of the picture. */
 function stretchesOf(length: number, side: number, edge: number): Stretch[] {
-    if (length <= side) return [{ drawn: 0, drawnLength: length, kept: 0, keptLength: length }];
+    if (length <= side) return [{ drawn: 0, drawnLength: length, inner: 0, innerLength: length }];
     const count = Math.ceil(length / (2 * Math.floor((side - 2 * edge) / 2)));
     const step = 2 * Math.ceil(length / count / 2);
     return Array.from({ length: Math.ceil(length / step) }, (_, i) => ({
         ...{ drawn: i * step - edge, drawnLength: step + 2 * edge },
-        ...{ kept: i * step, keptLength: Math.min(step, length - i * step) },
+        ...{ inner: i * step, innerLength: Math.min(step, length - i * step) },
     }));
 }

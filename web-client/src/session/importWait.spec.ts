@@ -35,7 +35,7 @@ describe('waiting for an import', () => {
         await settled();
         expect(imports.left.value).toBe(true);
         imports.stop();
-        imports.again();
+        imports.resume();
         expect(calls).toHaveLength(2);
         expect(imports.left.value).toBe(false);
     });

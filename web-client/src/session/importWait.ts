@@ -60,7 +60,7 @@ export class ImportWait {
         this.waiting.abort();
     }
 
-    again(): void {
+    resume(): void {
         const dataset = this.options.state.datasetEntry.value?.dataset;
         if (dataset !== undefined) void this.begin(dataset);
     }

@@ -4,11 +4,11 @@ import type { Patch, SessionSnapshot, SurfaceEpoch } from '../protocol/messages.
 import { type AppState, noUnits } from '../state/appState.ts';
 
 /** Describes what has become of surfaces. */
-export interface SurfaceNews {
+export interface SurfaceChanges {
     added: string[];
     removed: string[];
     /** Holds, for those that were set, new or not, the epoch that was asked for. */
-    asked: SurfaceEpoch[];
+    requested: SurfaceEpoch[];
 }
 
 export function adoptSnapshot(state: AppState, snapshot: SessionSnapshot): void {
@@ -24,8 +24,8 @@ export function adoptSnapshot(state: AppState, snapshot: SessionSnapshot): void 
     state.clock.value = clock;
 }
 
-export function applyPatches(state: AppState, patches: readonly Patch[]): SurfaceNews {
-    const news: SurfaceNews = { added: [], removed: [], asked: [] };
+export function applyPatches(state: AppState, patches: readonly Patch[]): SurfaceChanges {
+    const changes: SurfaceChanges = { added: [], removed: [], requested: [] };
     const records = {
         rake: new Map(state.rakes.value),
         surface: new Map(state.surfaces.value),
@@ -35,15 +35,15 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
     for (const patch of patches) {
         if (patch.op === 'delete') {
             records[patch.type].delete(patch.id);
-            if (patch.type === 'surface') news.removed.push(patch.id);
+            if (patch.type === 'surface') changes.removed.push(patch.id);
         } else if (patch.type === 'clock') state.clock.value = patch.record;
         else if (patch.type === 'session') {
             state.sessionName.value = patch.record.name;
             state.typedUnits.value = patch.record.units ?? noUnits;
         } else if (patch.type === 'surface') {
-            if (!records.surface.has(patch.id)) news.added.push(patch.id);
+            if (!records.surface.has(patch.id)) changes.added.push(patch.id);
             records.surface.set(patch.id, patch.record);
-            news.asked.push({ surface: patch.id, epoch: patch.record.epoch });
+            changes.requested.push({ surface: patch.id, epoch: patch.record.epoch });
         } else if (patch.type === 'rake') records.rake.set(patch.id, patch.record);
         else if (patch.type === 'bookmark') records.bookmark.set(patch.id, patch.record);
         else records.annotation.set(patch.id, patch.record);
@@ -53,5 +53,5 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
     if (touched.has('surface')) state.surfaces.value = records.surface;
     if (touched.has('bookmark')) state.bookmarks.value = records.bookmark;
     if (touched.has('annotation')) state.annotations.value = records.annotation;
-    return news;
+    return changes;
 }

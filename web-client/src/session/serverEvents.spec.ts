@@ -3,7 +3,7 @@ import type { DatasetEntry } from '../protocol/messages.ts';
 import { AppState } from '../state/appState.ts';
 import { sampleStatistics } from '../testing/records.ts';
 import type { WorkerEvent } from '../worker/workerClient.ts';
-import { handOut, type Receivers, ServerNews } from './serverEvents.ts';
+import { dispatchWorkerEvent, type Receivers, ServerEvents } from './serverEvents.ts';
 
 function bench() {
     const state = new AppState();
@@ -12,7 +12,7 @@ function bench() {
     const progressed: unknown[] = [];
     const datasets: unknown[] = [];
     const unheard = (): void => undefined;
-    const news = new ServerNews({
+    const events = new ServerEvents({
         state,
         outcomes: { done: unheard },
         feed: { done: (_surface, _epoch, error) => void done.push(error), progressed: unheard, ranged: unheard },
@@ -23,9 +23,9 @@ function bench() {
         controller: { patched: unheard, deleted: async () => void ++deleted },
     });
     const hear = (kind: string, text?: string, surface?: string): void =>
-        news.take({ method: 'server.notice', kind, text, surface });
+        events.dispatch({ method: 'server.notice', kind, text, surface });
     const said = () => [...state.notices.all.value];
-    return { state, hear, said, deleted: () => deleted, news, done, progressed, datasets };
+    return { state, hear, said, deleted: () => deleted, events, done, progressed, datasets };
 }
 
 describe('a notice of the server', () => {
@@ -79,9 +79,9 @@ describe('a notice of the server', () => {
 
 describe('what the page cannot read', () => {
     it('is reported, once for the same reason', () => {
-        const { state, news, said } = bench();
+        const { state, events, said } = bench();
         const faults = ['rake r1.seeds is not a whole number', 'rake r2.name is not a text'];
-        news.unreadable(faults);
+        events.unreadable(faults);
         expect(said()).toEqual([
             [
                 'unreadable',
@@ -89,28 +89,28 @@ describe('what the page cannot read', () => {
             ],
         ]);
         state.notices.solved('unreadable');
-        news.unreadable(faults);
+        events.unreadable(faults);
         expect(said()).toEqual([]);
     });
 });
 
 describe('what the server tells', () => {
     it('of a surface is that it is whole, why there is none, or why it ends early', () => {
-        const { news, done } = bench();
+        const { events, done } = bench();
         const about = { method: 'surface.done', surface: 's1', epoch: 2 } as const;
         const error = { code: -32012, message: 'the rake is outside', kind: 'outsideDomain', hint: 'move it' };
-        news.take({ ...about, error });
-        news.take({ ...about, stats: sampleStatistics() });
-        news.take({ ...about, stats: sampleStatistics({ stopped: 'time-step 4 is damaged' }) });
+        events.dispatch({ ...about, error });
+        events.dispatch({ ...about, stats: sampleStatistics() });
+        events.dispatch({ ...about, stats: sampleStatistics({ stopped: 'time-step 4 is damaged' }) });
         expect(done).toEqual([error, null, { message: 'The surface ends early: time-step 4 is damaged' }]);
     });
 
     it('of a call is how far it is, as a fraction where the server knows it', () => {
-        const { news, progressed } = bench();
-        news.take({ method: '$/progress', token: 'a', value: { kind: 'report', message: 'refining', percentage: 25 } });
-        news.take({ method: '$/progress', token: 'a', value: { kind: 'begin' } });
+        const { events, progressed } = bench();
+        events.dispatch({ method: '$/progress', token: 'a', value: { kind: 'report', message: 'refining', percentage: 25 } });
+        events.dispatch({ method: '$/progress', token: 'a', value: { kind: 'begin' } });
         const far = { time: 3, quadsSoFar: 1200, remaining: 8.5, seconds: 4 };
-        news.take({ method: '$/progress', token: 'a', value: { kind: 'report', percentage: 50, ...far } });
+        events.dispatch({ method: '$/progress', token: 'a', value: { kind: 'report', percentage: 50, ...far } });
         const unknown = { time: null, quads: null, remaining: null, seconds: null };
         expect(progressed).toEqual([
             ['a', { ...unknown, fraction: 0.25, message: 'refining' }],
@@ -120,7 +120,7 @@ describe('what the server tells', () => {
     });
 
     it('of a dataset is its entry in the list', () => {
-        const { news, datasets } = bench();
+        const { events, datasets } = bench();
         const entry: DatasetEntry = {
             dataset: 'd',
             name: 'D',
@@ -128,7 +128,7 @@ describe('what the server tells', () => {
             steps: { ready: 3, total: 16 },
             progress: 0.2,
         };
-        news.take({ method: 'dataset.patched', ...entry });
+        events.dispatch({ method: 'dataset.patched', ...entry });
         expect(datasets).toEqual([entry]);
     });
 });
@@ -141,12 +141,12 @@ describe('what the worker sends', () => {
         const receivers: Receivers = {
             state,
             feed: { receive: to('feed'), troubled: async (...what) => void heard.push(['feed', what]) },
-            news: { take: to('news'), unreadable: to('unreadable') },
+            events: { dispatch: to('news'), unreadable: to('unreadable') },
             controller: { connectionChanged: to('controller') },
-            server: { took: to('server') },
+            server: { loggedIn: to('server') },
             loginEnded: to('ended'),
         };
-        return { state, heard, hear: (event: WorkerEvent) => handOut(event, receivers) };
+        return { state, heard, hear: (event: WorkerEvent) => dispatchWorkerEvent(event, receivers) };
     }
 
     const frame: WorkerEvent = {

@@ -19,7 +19,7 @@ const subjects: Readonly<Record<string, string>> = { notDurable: 'durability', d
 /** Notices of something that has happened once more when they come again. */
 const happenings: ReadonlySet<string> = new Set(['dataReplaced']);
 
-export interface ServerNewsOptions {
+export interface ServerEventsOptions {
     state: AppState;
     feed: Pick<SurfaceFeed, 'done' | 'progressed' | 'ranged'>;
     outcomes: Pick<SurfaceOutcomes, 'done'>;
@@ -30,15 +30,15 @@ export interface ServerNewsOptions {
     controller: Pick<SessionController, 'patched' | 'deleted'>;
 }
 
-export class ServerNews {
-    private readonly options: ServerNewsOptions;
-    private readonly told = new Map<string, string>();
+export class ServerEvents {
+    private readonly options: ServerEventsOptions;
+    private readonly announced = new Map<string, string>();
 
-    constructor(options: ServerNewsOptions) {
+    constructor(options: ServerEventsOptions) {
         this.options = options;
     }
 
-    take(notification: Notification): void {
+    dispatch(notification: Notification): void {
         const { feed, outcomes, dataset, people, progress, families, controller } = this.options;
         switch (notification.method) {
             case 'session.patched':
@@ -105,8 +105,8 @@ export class ServerNews {
 
     /** Some notices come again whenever the session is joined; what was sent away stays away. */
     private say(about: string, words: string): void {
-        if (this.told.get(about) === words) return;
-        this.told.set(about, words);
+        if (this.announced.get(about) === words) return;
+        this.announced.set(about, words);
         this.options.state.notices.say(about, words);
     }
 }
@@ -126,13 +126,16 @@ function whyNotWhole({ error, stats }: SurfaceDone): ReportedError | null {
 export interface Receivers {
     state: Pick<AppState, 'roundTripMs'>;
     feed: Pick<SurfaceFeed, 'receive' | 'troubled'>;
-    news: Pick<ServerNews, 'take' | 'unreadable'>;
+    events: Pick<ServerEvents, 'dispatch' | 'unreadable'>;
     controller: Pick<SessionController, 'connectionChanged'>;
-    server: Pick<OwnServer, 'took'>;
+    server: Pick<OwnServer, 'loggedIn'>;
     loginEnded: (login: string) => void;
 }
 
-export function handOut(event: WorkerEvent, { state, feed, news, controller, server, loginEnded }: Receivers): void {
+export function dispatchWorkerEvent(
+    event: WorkerEvent,
+    { state, feed, events, controller, server, loginEnded }: Receivers,
+): void {
     switch (event.type) {
         case 'surface':
             feed.receive(event);
@@ -141,16 +144,16 @@ export function handOut(event: WorkerEvent, { state, feed, news, controller, ser
             void feed.troubled(event.surface, event.subscription, event.reason);
             break;
         case 'notification':
-            news.take(event.notification);
+            events.dispatch(event.notification);
             break;
         case 'unreadable':
-            news.unreadable(event.faults);
+            events.unreadable(event.faults);
             break;
         case 'roundTrip':
             state.roundTripMs.value = event.ms;
             break;
         case 'loggedIn':
-            server.took({ login: event.login, session: event.session });
+            server.loggedIn({ login: event.login, session: event.session });
             break;
         case 'loginEnded':
             loginEnded(event.login);

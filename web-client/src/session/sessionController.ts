@@ -12,11 +12,11 @@ import type { UndoHistory } from './edits/undoHistory.ts';
 import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
-import { Arrival, isNotFound, nameKept, rememberSession } from './sessions/joinSession.ts';
+import { SessionJoin, isNotFound, personNameKey, rememberSession } from './sessions/joinSession.ts';
 import type { Thumbnails } from './out/thumbnails.ts';
 import { addDefaultScene, isEmpty, type Suggestions, wasEdited } from './sessions/defaultScene.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
-import { isNothing, makeAnew, type Remembered, rememberedOf } from './view/sessionRecovery.ts';
+import { isEmptyContent, recoverSession, type SessionContent, knownContent } from './view/sessionRecovery.ts';
 import type { UrlState } from './view/urlState.ts';
 import type { Views } from './view/views.ts';
 
@@ -42,7 +42,7 @@ export interface SessionControllerOptions {
 
 export class SessionController {
     private readonly options: SessionControllerOptions;
-    private readonly arrival: Arrival;
+    private readonly sessionJoin: SessionJoin;
     /** Counts connections, and new beginnings in one; what an earlier one began must not go on in the
      *  next. */
     private beginning = 0;
@@ -52,11 +52,11 @@ export class SessionController {
     private shown = false;
     /** Holds what is to be made again where the server has lost it; while there is such, the page keeps
      *  showing it. */
-    private lost: Remembered | null = null;
+    private lost: SessionContent | null = null;
 
     constructor(options: SessionControllerOptions) {
         this.options = options;
-        this.arrival = new Arrival(options.worker, options.url.session);
+        this.sessionJoin = new SessionJoin(options.worker, options.url.session);
     }
 
     connectionChanged(connection: ConnectionState): void {
@@ -76,11 +76,11 @@ export class SessionController {
     /** Sets how other users see that of this page, here and from now on; the server may add a number to tell
      *  two apart. */
     async rename(name: string): Promise<void> {
-        keep(nameKept, name);
-        const { session, resumeToken } = this.arrival;
+        keep(personNameKey, name);
+        const { session, resumeToken } = this.sessionJoin;
         if (session === null || resumeToken === undefined) return;
         try {
-            this.entered(await this.arrival.enter(session), resumeToken);
+            this.entered(await this.sessionJoin.enter(session), resumeToken);
             this.options.state.problems.solved('name');
         } catch (error) {
             tellUnlessCut(this.options.state.problems, 'name', error);
@@ -109,7 +109,7 @@ export class SessionController {
         const name = state.gone.value?.name ?? '';
         await this.attempt('session.create', async () => {
             const { session } = await worker.call('session.create', name === '' ? {} : { name });
-            [this.arrival.session, this.arrival.resumeToken, this.shown] = [session, undefined, false];
+            [this.sessionJoin.session, this.sessionJoin.resumeToken, this.shown] = [session, undefined, false];
             await this.begin();
         });
     }
@@ -118,18 +118,18 @@ export class SessionController {
      *  taken. */
     patched(session: string, patches: readonly Patch[]): void {
         const { state, feed, edits, thumbnails } = this.options;
-        if (session !== this.arrival.session || this.lost !== null) return;
+        if (session !== this.sessionJoin.session || this.lost !== null) return;
         if (patches.some(({ type }) => type !== 'clock')) thumbnails.patched();
-        const { added, removed, asked } = applyPatches(state, patches);
+        const { added, removed, requested } = applyPatches(state, patches);
         for (const surface of removed) feed.removed(surface);
-        for (const { surface, epoch } of asked) feed.requested(surface, epoch);
+        for (const { surface, epoch } of requested) feed.requested(surface, epoch);
         edits.recordsChanged();
         if (state.stage.value === 'running') for (const id of added) void this.subscribeLate(id);
     }
 
     /** The session that this page is in was moved to the trash. */
     async deleted(): Promise<void> {
-        this.arrival.resumeToken = undefined;
+        this.sessionJoin.resumeToken = undefined;
         await this.missing();
     }
 
@@ -150,8 +150,8 @@ export class SessionController {
         state.everConnected.value = true;
         try {
             await this.checkServer();
-            const before = this.arrival.resumeToken;
-            const joined = await this.arrival.join(url.dataset);
+            const before = this.sessionJoin.resumeToken;
+            const joined = await this.sessionJoin.join(url.dataset);
             if (gone()) return;
             if (joined === null) {
                 await this.missing();
@@ -168,7 +168,7 @@ export class SessionController {
             await dataset.describe(entry.dataset);
             if (this.lost !== null) await this.makeAgainHere(joined, entry.dataset);
             else if (mayFill && !this.shown && (await addDefaultScene(this.options, entry.dataset, snapshot))) {
-                this.adopt((await this.arrival.enter(snapshot.session)).snapshot);
+                this.adopt((await this.sessionJoin.enter(snapshot.session)).snapshot);
             }
             if (gone()) return;
             await this.subscribeAll();
@@ -214,9 +214,9 @@ export class SessionController {
     /** Checks whether an empty session has lost what this page or its link remembers. */
     private async look(session: string): Promise<void> {
         const { state, url, worker } = this.options;
-        const remembered = rememberedOf(state, url);
-        if (isNothing(remembered) || (await wasEdited(worker, session))) return;
-        this.lost = remembered;
+        const content = knownContent(state, url);
+        if (isEmptyContent(content) || (await wasEdited(worker, session))) return;
+        this.lost = content;
     }
 
     /** Also after a connection that was lost in the middle of it. */
@@ -227,16 +227,16 @@ export class SessionController {
         const place = joined.participants.findIndex(({ participant }) => participant === joined.you);
         for (let turn = 0; turn < place && isEmpty(there); ++turn) {
             await new Promise((resolve) => setTimeout(resolve, turnMs));
-            there = (await this.arrival.enter(there.session)).snapshot;
+            there = (await this.sessionJoin.enter(there.session)).snapshot;
         }
         if (isEmpty(joined.snapshot) === isEmpty(there)) {
             const surfaces = lost.surfaces.filter((each) => each.dataset === dataset);
-            const made = await makeAnew(worker, { ...lost, surfaces }, there);
+            const made = await recoverSession(worker, { ...lost, surfaces }, there);
             // An edit of meanwhile lies below what was made again, for the server.
             edits.history.clear();
             views.madeAnew(made);
             if (made.missing !== null) state.notices.say('made again', made.missing);
-            there = (await this.arrival.enter(there.session)).snapshot;
+            there = (await this.sessionJoin.enter(there.session)).snapshot;
         }
         this.lost = null;
         this.adopt(there);
@@ -267,7 +267,7 @@ export class SessionController {
     private async missing(): Promise<void> {
         const { state, worker, url } = this.options;
         const beginning = ++this.beginning;
-        const session = this.arrival.session ?? '';
+        const session = this.sessionJoin.session ?? '';
         const trash = await worker.call('session.list', { trash: true }).catch(() => null);
         if (beginning !== this.beginning) return;
         const entry = trash?.sessions.find((each) => each.session === session);
@@ -277,7 +277,7 @@ export class SessionController {
             session,
             name: entry?.name ?? state.sessionName.value,
             restorableUntil: entry?.deletedUntil ?? null,
-            remembered: !isNothing(rememberedOf(state, url)),
+            remembered: !isEmptyContent(knownContent(state, url)),
         };
         if (entry === undefined) return;
         setTimeout(() => {

@@ -136,7 +136,7 @@ export class AppState {
     /** Holds what is good to know, by its kind. */
     readonly notices = new Announcements();
     /** Is the progress of the selected surface, while it takes long. */
-    readonly progress = signal<SurfaceStanding | null>(null);
+    readonly progress = signal<SurfaceStatus | null>(null);
     /** Is the time of a message to the server and back, in milliseconds. */
     readonly roundTripMs = signal<number | null>(null);
     /** Holds what the server suggests to begin with in the dataset; null: not known yet. */
@@ -176,7 +176,7 @@ export class AppState {
 }
 
 /** Describes how far the server has come with a surface; null: not known. */
-export interface SurfaceStanding {
+export interface SurfaceStatus {
     surface: string;
     /** Is the part of the way to the final one, 0 to 1. */
     fraction: number | null;

@@ -2,7 +2,7 @@
 // the epochs it started; the frame that shows one of them ends the measurement.
 import type { PassSeconds } from '../protocol/messages.ts';
 
-const samplesKept = 2000;
+const maxSamples = 2000;
 
 /** In order; together they are the whole. */
 export const latencyParts = ['network', 'queue', 'load', 'compute', 'encode', 'decode', 'draw', 'rest'] as const;
@@ -74,7 +74,7 @@ export class LatencyLog {
         };
         const sum = Object.values(measured).reduce((total, each) => total + each, 0);
         this.samples.push({ surface, epoch, milliseconds, parts: { ...measured, rest: Math.max(0, milliseconds - sum) } });
-        if (this.samples.length > samplesKept) this.samples.shift();
+        if (this.samples.length > maxSamples) this.samples.shift();
     }
 }
 
@@ -84,7 +84,7 @@ function keyOf(surface: string, epoch: number): string {
 
 function remember<Value>(map: Map<string, Value>, key: string, value: Value): void {
     map.set(key, value);
-    if (map.size <= samplesKept) return;
+    if (map.size <= maxSamples) return;
     const oldest = map.keys().next().value;
     if (oldest !== undefined) map.delete(oldest);
 }

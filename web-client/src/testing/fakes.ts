@@ -49,21 +49,21 @@ export async function settled(): Promise<void> {
     for (let i = 0; i < 10; ++i) await Promise.resolve();
 }
 
-export type Asked = Record<string, unknown>;
+export type Params = Record<string, unknown>;
 
 export interface Answering {
     call: <M extends MethodName>(method: M, params: ParamsOf<M>, signal?: AbortSignal) => Promise<ResultOf<M>>;
 }
 
 /** @param answer returns what the server would, or a promise of it; what it throws is the refusal */
-export function answering(answer: (method: MethodName, params: Asked, signal?: AbortSignal) => unknown): Answering {
+export function answering(answer: (method: MethodName, params: Params, signal?: AbortSignal) => unknown): Answering {
     return {
         call: async <M extends MethodName>(method: M, params: ParamsOf<M>, signal?: AbortSignal) =>
-            (await answer(method, params as Asked, signal)) as ResultOf<M>,
+            (await answer(method, params as Params, signal)) as ResultOf<M>,
     };
 }
 
-class KeptTexts {
+class FakeStorage {
     private readonly texts = new Map<string, string>();
 
     getItem(name: string): string | null {
@@ -77,7 +77,7 @@ class KeptTexts {
 
 /** Empty, until the globals are put back. */
 export function emptyStorage(...names: ('localStorage' | 'sessionStorage')[]): void {
-    for (const name of names) vi.stubGlobal(name, new KeptTexts());
+    for (const name of names) vi.stubGlobal(name, new FakeStorage());
 }
 
 /** Until mocks are put back. */

@@ -11,7 +11,7 @@ import { Playback } from '../session/time/playback.ts';
 import { AppState, withEntry } from '../state/appState.ts';
 import { LatencyLog } from '../state/latency.ts';
 import { ViewState } from '../state/viewState.ts';
-import { answering, type Asked, FakeClock, settled } from './fakes.ts';
+import { answering, type Params, FakeClock, settled } from './fakes.ts';
 import { datasetOf, displayedOf, emptySnapshot, fieldOf, rakeOf, surfaceOf } from './records.ts';
 
 const spacing = 0.1675;
@@ -25,7 +25,7 @@ export class PageBench {
     readonly view = new ViewState();
     readonly calls: Call[] = [];
     /** Holds what the server says to a method instead, or throws. */
-    readonly answers: Partial<Record<MethodName, (params: Asked) => unknown>> = {};
+    readonly answers: Partial<Record<MethodName, (params: Params) => unknown>> = {};
     readonly worker = answering((method, params) => this.answer(method, params));
     readonly edits: Edits;
     readonly clock: ClockControl;
@@ -76,13 +76,13 @@ export class PageBench {
     }
 
     /** The parameters of the calls of a method. */
-    asked(method: MethodName): Asked[] {
+    asked(method: MethodName): Params[] {
         return this.calls.filter(([name]) => name === method).map(([, params]) => params);
     }
 
     /** Tells patches, as the server does when a user has changed records. */
     tell(patches: readonly Patch[]): void {
-        for (const { surface, epoch } of applyPatches(this.state, patches).asked) {
+        for (const { surface, epoch } of applyPatches(this.state, patches).requested) {
             const { requestedEpochs, displayed } = this.state;
             requestedEpochs.value = withEntry(requestedEpochs.value, surface, epoch);
             // It is computed in no time, to the end of its time.
@@ -97,14 +97,14 @@ export class PageBench {
         this.clock.flush();
     }
 
-    private answer(method: MethodName, params: Asked): unknown {
+    private answer(method: MethodName, params: Params): unknown {
         this.calls.push([method, params]);
         const other = this.answers[method];
         return other === undefined ? this.keep(method, params) : other(params);
     }
 
     /** The records as the server would have them after the call. */
-    private keep(method: MethodName, { gesture: _, ...params }: Asked): unknown {
+    private keep(method: MethodName, { gesture: _, ...params }: Params): unknown {
         const { state } = this;
         if (method === 'surface.set') {
             const id = (params['surface'] as string | undefined) ?? `surface-${state.surfaces.value.size + 1}`;

@@ -19,8 +19,8 @@ beforeEach(async () => {
     bench = new PageBench();
     bench.state.datasets.value = [entryOf('flow', 16), entryOf('sphere')];
     entered = [];
-    const shelf = { problems: new Announcements(), enterDataset: async (id: string) => void entered.push(id) };
-    head = await ShownPanel.of('wakesurf-dataset-head', Object.assign(bench, { shelf }));
+    const sessionList = { problems: new Announcements(), enterDataset: async (id: string) => void entered.push(id) };
+    head = await ShownPanel.of('wakesurf-dataset-head', Object.assign(bench, { sessionList }));
 });
 
 const opens = (): boolean => !head.get('button', 'Open').matches(':disabled');

@@ -4,7 +4,7 @@
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetEntry } from '../protocol/messages.ts';
-import type { SessionShelf } from '../session/sessions/sessionShelf.ts';
+import type { SessionList } from '../session/sessions/sessionList.ts';
 import type { AppState } from '../state/appState.ts';
 import { ModelElement } from './base/signalElement.ts';
 import { countWords } from './base/words.ts';
@@ -12,7 +12,7 @@ import { isolated } from '../state/announcements.ts';
 
 export interface DatasetHeadModel {
     state: Pick<AppState, 'dataset' | 'datasets' | 'role' | 'problems'>;
-    shelf: Pick<SessionShelf, 'enterDataset' | 'problems'>;
+    sessionList: Pick<SessionList, 'enterDataset' | 'problems'>;
 }
 
 export class DatasetHead extends ModelElement<DatasetHeadModel> {
@@ -72,10 +72,10 @@ export class DatasetHead extends ModelElement<DatasetHeadModel> {
 
     /** A notice, because the list, which says what is refused, may be closed. */
     private async open(dataset: string): Promise<void> {
-        const { shelf, state } = this.model;
+        const { sessionList, state } = this.model;
         const name = state.datasets.value.find((each) => each.dataset === dataset)?.name ?? dataset;
-        await shelf.enterDataset(dataset, name);
-        const refused = shelf.problems.all.value.get('action');
+        await sessionList.enterDataset(dataset, name);
+        const refused = sessionList.problems.all.value.get('action');
         if (refused !== undefined) state.problems.say('session.create', refused);
     }
 

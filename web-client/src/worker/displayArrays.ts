@@ -19,10 +19,10 @@ export class DisplayArrays {
     /** By the name of an attribute that is wanted and there: from which vertex on it has changed. */
     private shown = new Map<string, number>();
     private wish: ShowWish = { attributes: [], parts: null, trimmed: false };
-    private partsAsked = false;
-    private cutAsked = false;
-    private unitsAsked = false;
-    private unresolvedAsked = false;
+    private partsRequested = false;
+    private cutRequested = false;
+    private unitsRequested = false;
+    private unresolvedRequested = false;
     /** Says whether what was given away last is of curved cells: nothing of it stays. Only take() changes
      *  it. */
     curved = false;
@@ -59,12 +59,12 @@ export class DisplayArrays {
         const added = known.some((name) => !this.shown.has(name));
         this.shown = new Map(known.map((name) => [name, this.shown.get(name) ?? 0]));
         const parted = JSON.stringify(parts) !== JSON.stringify(before.parts);
-        this.partsAsked ||= parted;
-        this.cutAsked ||= parted || trimmed !== before.trimmed;
+        this.partsRequested ||= parted;
+        this.cutRequested ||= parted || trimmed !== before.trimmed;
         const measured = units !== undefined && units !== before.units;
-        this.unitsAsked ||= measured;
+        this.unitsRequested ||= measured;
         const thinned = wish.unresolved !== before.unresolved;
-        this.unresolvedAsked ||= thinned && wish.unresolved === true;
+        this.unresolvedRequested ||= thinned && wish.unresolved === true;
         return added || parted || trimmed !== before.trimmed || measured || thinned || (this.curved && wish.curved === undefined);
     }
 
@@ -91,11 +91,11 @@ export class DisplayArrays {
         const keptCells = mesh.cellCount - cells.length / cellStride + replacedCells.count;
         if (header.key || removedVertices.count + removedCells.count > 0) this.fromCell = 0;
         this.fromCell = Math.min(this.fromCell, replacedCells.all[0]?.begin ?? keptCells);
-        const news = turned || cells.length > 0;
-        this.partsAsked ||= this.wish.parts !== null && news;
-        this.cutAsked ||= (this.wish.parts !== null || this.wish.trimmed) && news;
-        this.unitsAsked ||= this.wish.units !== undefined && news;
-        this.unresolvedAsked ||= this.wish.unresolved === true && news;
+        const isNew = turned || cells.length > 0;
+        this.partsRequested ||= this.wish.parts !== null && isNew;
+        this.cutRequested ||= (this.wish.parts !== null || this.wish.trimmed) && isNew;
+        this.unitsRequested ||= this.wish.units !== undefined && isNew;
+        this.unresolvedRequested ||= this.wish.unresolved === true && isNew;
     }
 
     /** Curved cells are wanted. */
@@ -110,8 +110,8 @@ export class DisplayArrays {
         const curved = pixels !== undefined && curve !== null;
         if (curved || this.curved) this.takeAll();
         this.curved = curved;
-        const news = this.takeNews(mesh);
-        const change = curved ? curve(news, mesh.cells, pixels) : news;
+        const changes = this.takeChanges(mesh);
+        const change = curved ? curve(changes, mesh.cells, pixels) : changes;
         const scalars = change.scalars.filter(({ name }) => !(normalNames as readonly string[]).includes(name));
         return { ...change, scalars };
     }
@@ -119,12 +119,12 @@ export class DisplayArrays {
     private takeAll(): void {
         this.fromVertex = this.fromNormal = this.fromSeed = this.fromCell = this.cellsCut = 0;
         for (const name of this.shown.keys()) this.shown.set(name, 0);
-        this.cutAsked ||= this.wish.parts !== null || this.wish.trimmed;
-        this.unitsAsked ||= this.wish.units !== undefined;
-        this.unresolvedAsked ||= this.wish.unresolved === true;
+        this.cutRequested ||= this.wish.parts !== null || this.wish.trimmed;
+        this.unitsRequested ||= this.wish.units !== undefined;
+        this.unresolvedRequested ||= this.wish.unresolved === true;
     }
 
-    private takeNews(mesh: WireMesh): MeshChange {
+    private takeChanges(mesh: WireMesh): MeshChange {
         const { fromVertex, fromNormal, fromSeed } = this;
         const { vertices } = mesh;
         this.positions = grown(this.positions, 3 * vertices);
@@ -191,8 +191,8 @@ export class DisplayArrays {
 
     private partsAndCut(mesh: WireMesh): { parts: readonly SurfacePart[] | null; cut: Cut | null } {
         const { parts: wanted, trimmed } = this.wish;
-        const [partsAsked, cutAsked] = [this.partsAsked && wanted !== null, this.cutAsked];
-        this.partsAsked = this.cutAsked = false;
+        const [partsAsked, cutAsked] = [this.partsRequested && wanted !== null, this.cutRequested];
+        this.partsRequested = this.cutRequested = false;
         const seeds = partsAsked || cutAsked ? this.seedsOf(mesh, 0) : new Float32Array(0);
         const { cells, vertices } = mesh;
         const from = { seeds, tFrom: this.rangeOf(mesh, 't')?.lo ?? 0 };
@@ -210,16 +210,16 @@ export class DisplayArrays {
 
     private unitsOf(mesh: WireMesh): Float32Array | null {
         const { units } = this.wish;
-        if (units === undefined || !this.unitsAsked) return null;
-        this.unitsAsked = false;
+        if (units === undefined || !this.unitsRequested) return null;
+        this.unitsRequested = false;
         const { positions } = this;
         const indices = this.indices.subarray(0, 3 * this.triangles);
         return unitLengths({ positions, indices, seeds: this.seedsOf(mesh, 0), vertices: mesh.vertices }, units === 'closed');
     }
 
     private unresolvedOf({ vertices }: WireMesh): Float32Array | null {
-        if (!this.unresolvedAsked || this.wish.unresolved !== true) return null;
-        this.unresolvedAsked = false;
+        if (!this.unresolvedRequested || this.wish.unresolved !== true) return null;
+        this.unresolvedRequested = false;
         const indices = this.indices.subarray(0, 3 * this.triangles);
         const normals = new Float32Array(3 * vertices);
         addNormals(this.positions, indices, 0, normals);

@@ -9,7 +9,7 @@ import { type CurveCells, DisplayArrays } from './displayArrays.ts';
 import type { ShowWish, SurfaceState } from './workerMessages.ts';
 
 /** One on its way to the screen, and one to be there at once afterwards. */
-const statesUntaken = 2;
+const maxPendingStates = 2;
 
 /** After which a state without a successor stands still. */
 const restMs = 250;
@@ -32,12 +32,12 @@ interface Followed {
     surface: string;
     decoder: MeshDecoder;
     display: DisplayArrays;
-    untaken: number;
+    pending: number;
     keys: number;
     deltas: number;
     /** Spent on what has not been offered yet. */
     decodeMs: number;
-    news: boolean;
+    changed: boolean;
     troubled: boolean;
     /** Until cells are curved. */
     rest: ReturnType<typeof setTimeout> | undefined;
@@ -78,11 +78,11 @@ export class SurfaceFolder {
             surface,
             decoder: new MeshDecoder(this.options.draco, lattice, null),
             display,
-            untaken: known?.untaken ?? 0,
+            pending: known?.pending ?? 0,
             keys: known?.keys ?? 0,
             deltas: known?.deltas ?? 0,
             decodeMs: 0,
-            news: false,
+            changed: false,
             troubled: false,
             rest: undefined,
         };
@@ -101,7 +101,7 @@ export class SurfaceFolder {
         const followed = this.followed.get(surface);
         if (followed === undefined) return;
         if (followed.display.show(wish)) {
-            followed.news = true;
+            followed.changed = true;
             this.offer(followed);
         } else if (wish.curved !== undefined) this.curveAtRest(followed);
     }
@@ -132,7 +132,7 @@ export class SurfaceFolder {
     taken(surface: string): void {
         const followed = this.followed.get(surface);
         if (followed === undefined) return;
-        followed.untaken = Math.max(0, followed.untaken - 1);
+        followed.pending = Math.max(0, followed.pending - 1);
         this.offer(followed);
     }
 
@@ -146,7 +146,7 @@ export class SurfaceFolder {
             followed.decodeMs += performance.now() - start;
             if (applied === undefined) return;
             followed.troubled = false;
-            followed.news = true;
+            followed.changed = true;
             if (applied.header.key) ++followed.keys;
             else ++followed.deltas;
             const { key, epoch, attributeCount } = applied.header;
@@ -178,18 +178,18 @@ export class SurfaceFolder {
     }
 
     private curve(followed: Followed, curve: CurveCells): void {
-        if (this.followed.get(followed.surface) !== followed || followed.news) return;
-        if (followed.untaken >= statesUntaken) return this.curveAtRest(followed);
-        followed.news = true;
+        if (this.followed.get(followed.surface) !== followed || followed.changed) return;
+        if (followed.pending >= maxPendingStates) return this.curveAtRest(followed);
+        followed.changed = true;
         this.offer(followed, curve);
     }
 
     private offer(followed: Followed, curve: CurveCells | null = null): void {
         const { newest: header, mesh } = followed.decoder;
-        if (!followed.news || followed.untaken >= statesUntaken) return;
+        if (!followed.changed || followed.pending >= maxPendingStates) return;
         if (header === undefined || mesh === undefined) return;
-        followed.news = false;
-        ++followed.untaken;
+        followed.changed = false;
+        ++followed.pending;
         const { epoch, phase, time, stateSum } = header;
         const { surface, keys, deltas, display } = followed;
         const { withheld } = display;
@@ -208,7 +208,7 @@ export class SurfaceFolder {
 
 /** protocol/wire/README.md, Attributes: these come first, then the surface's fields. */
 const everySurface: readonly string[] = ['speed', 's', 't'];
-const epochsKept = 8;
+const rememberedEpochs = 8;
 
 /**
  * The names of the attributes in a surface's frames, which carry numbers alone: they depend on the fields that the surface had
@@ -221,7 +221,7 @@ export class AttributeNames {
         const epochs = this.known.get(surface) ?? new Map<number, readonly string[]>();
         this.known.set(surface, epochs.set(epoch, names));
         const [oldest] = [...epochs.keys()].sort((a, b) => a - b);
-        if (epochs.size > epochsKept && oldest !== undefined) epochs.delete(oldest);
+        if (epochs.size > rememberedEpochs && oldest !== undefined) epochs.delete(oldest);
     }
 
     /** Returns names of the `count` attributes of an epoch's frames: those that are known for sure. */

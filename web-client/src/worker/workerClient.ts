@@ -171,7 +171,7 @@ export class WorkerClient {
     }
 }
 
-const askEveryMs = 1000;
+const pingEveryMs = 1000;
 const answerWithinMs = 2000;
 
 export interface WatchdogOptions {
@@ -183,7 +183,7 @@ export interface WatchdogOptions {
 export class Watchdog {
     private readonly options: WatchdogOptions;
     private timer: Timer | null = null;
-    private askedAt: number | null = null;
+    private pingedAt: number | null = null;
 
     constructor(options: WatchdogOptions) {
         this.options = options;
@@ -191,7 +191,7 @@ export class Watchdog {
 
     /** From the first sign of life on: loading may take its time. */
     heard(): void {
-        this.askedAt = null;
+        this.pingedAt = null;
         if (this.timer === null) this.wait();
     }
 
@@ -199,27 +199,27 @@ export class Watchdog {
     stop(): void {
         if (this.timer !== null) this.options.clock.cancel(this.timer);
         this.timer = null;
-        this.askedAt = null;
+        this.pingedAt = null;
     }
 
     private wait(): void {
         const { clock } = this.options;
-        const due = clock.now() + askEveryMs;
-        this.timer = clock.after(askEveryMs, () => this.check(clock.now() - due));
+        const due = clock.now() + pingEveryMs;
+        this.timer = clock.after(pingEveryMs, () => this.check(clock.now() - due));
     }
 
     private check(lateMs: number): void {
         const { clock, ask, onHang } = this.options;
         const now = clock.now();
         // This page itself stood still, as when the computer slept: an answer may be waiting to be heard.
-        if (this.askedAt !== null && lateMs > askEveryMs) this.askedAt = now;
-        if (this.askedAt !== null && now - this.askedAt >= answerWithinMs) {
+        if (this.pingedAt !== null && lateMs > pingEveryMs) this.pingedAt = now;
+        if (this.pingedAt !== null && now - this.pingedAt >= answerWithinMs) {
             this.stop();
             onHang();
             return;
         }
-        if (this.askedAt === null) {
-            this.askedAt = now;
+        if (this.pingedAt === null) {
+            this.pingedAt = now;
             ask();
         }
         this.wait();

@@ -1,5 +1,5 @@
 // Everything the page and its worker say to each other, one table for each direction.
-import type { KeptLogin } from '../connection/ownServer.ts';
+import type { StoredLogin } from '../connection/ownServer.ts';
 import type { ConnectionState } from '../connection/liveSocket.ts';
 import type { TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Lattice } from '../protocol/lattice.ts';
@@ -35,7 +35,7 @@ export interface ToWorker {
 export interface FromWorker {
     connection: ConnectionState;
     /** Or its login is good for longer. */
-    loggedIn: KeptLogin;
+    loggedIn: StoredLogin;
     /** The page may have another, for takeLogin(). */
     loginEnded: { login: string };
     reply: { id: number; result: unknown };

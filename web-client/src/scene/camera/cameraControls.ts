@@ -282,18 +282,18 @@ const leastMovement = 1e-6;
  */
 export class FineOrbit extends OrbitControls {
     /** Not there while three's constructor runs. */
-    private told?: { position: Vector3; target: Vector3 };
+    private reported?: { position: Vector3; target: Vector3 };
 
     override update(deltaTime?: number | null): boolean {
         const changed = super.update(deltaTime);
         const { position } = this.object;
         const { target } = this;
-        this.told ??= { position: new Vector3(Infinity), target: new Vector3() };
+        this.reported ??= { position: new Vector3(Infinity), target: new Vector3() };
         const least = leastMovement * position.distanceTo(target);
-        const moved = this.told.position.distanceTo(position) > least || this.told.target.distanceTo(target) > least;
+        const moved = this.reported.position.distanceTo(position) > least || this.reported.target.distanceTo(target) > least;
         if (!changed && !moved) return false;
-        this.told.position.copy(position);
-        this.told.target.copy(target);
+        this.reported.position.copy(position);
+        this.reported.target.copy(target);
         if (!changed) this.dispatchEvent({ type: 'change' });
         return true;
     }

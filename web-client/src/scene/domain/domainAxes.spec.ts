@@ -1,7 +1,7 @@
 import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type Bounds, boxEdges, centreOf, edgesBeforeBox, keptIn, labelledEdges } from './domainAxes.ts';
+import { type Bounds, boxEdges, centreOf, edgesBeforeBox, clampedToPicture, labelledEdges } from './domainAxes.ts';
 import { projectToScreen } from '../base/view.ts';
 
 const bounds: Bounds = [-3, 13, -4, 4, 0, 6];
@@ -75,11 +75,11 @@ describe('boxEdges', () => {
 
 describe('keptIn', () => {
     it('holds the words of a place in the picture inside, and leaves those of another where they are', () => {
-        expect(keptIn({ x: -8, y: 300 }, { x: 30, y: 310 }, size)).toEqual({ x: 12, y: 300 });
-        expect(keptIn({ x: 400, y: 612 }, { x: 410, y: 580 }, size)).toEqual({ x: 400, y: 588 });
+        expect(clampedToPicture({ x: -8, y: 300 }, { x: 30, y: 310 }, size)).toEqual({ x: 12, y: 300 });
+        expect(clampedToPicture({ x: 400, y: 612 }, { x: 410, y: 580 }, size)).toEqual({ x: 400, y: 588 });
         // All of long words, too.
-        expect(keptIn({ x: 20, y: 300 }, { x: 30, y: 310 }, size, 45)).toEqual({ x: 45, y: 300 });
-        expect(keptIn({ x: 400, y: 300 }, { x: 410, y: 310 }, size)).toEqual({ x: 400, y: 300 });
-        expect(keptIn({ x: -50, y: 300 }, { x: -10, y: 310 }, size)).toEqual({ x: -50, y: 300 });
+        expect(clampedToPicture({ x: 20, y: 300 }, { x: 30, y: 310 }, size, 45)).toEqual({ x: 45, y: 300 });
+        expect(clampedToPicture({ x: 400, y: 300 }, { x: 410, y: 310 }, size)).toEqual({ x: 400, y: 300 });
+        expect(clampedToPicture({ x: -50, y: 300 }, { x: -10, y: 310 }, size)).toEqual({ x: -50, y: 300 });
     });
 });

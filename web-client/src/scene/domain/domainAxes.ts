@@ -84,7 +84,12 @@ export function edgesBeforeBox(bounds: Bounds, eye: Vec3): boolean[] {
  * Words of a place in the picture do not stand outside it: an axis near the border would lose its name.
  * @param halfWidth  of the words, in pixels
  */
-export function keptIn(words: ScreenPoint, { x, y }: ScreenPoint, { width, height }: ScreenSize, halfWidth = 0): ScreenPoint {
+export function clampedToPicture(
+    words: ScreenPoint,
+    { x, y }: ScreenPoint,
+    { width, height }: ScreenSize,
+    halfWidth = 0,
+): ScreenPoint {
     if (x < 0 || x > width || y < 0 || y > height) return words;
     const within = (value: number, size: number, margin: number): number => Math.min(size - margin, Math.max(margin, value));
     return { x: within(words.x, width, Math.max(marginPx, halfWidth)), y: within(words.y, height, marginPx) };

@@ -2,7 +2,7 @@
 // over the canvas: sharp at any size and readable by assistive tools.
 import type { Color, Object3D } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type AxisEdge, type Bounds, boxEdges, centreOf, edgesBeforeBox, keptIn, labelledEdges } from './domainAxes.ts';
+import { type AxisEdge, type Bounds, boxEdges, centreOf, edgesBeforeBox, clampedToPicture, labelledEdges } from './domainAxes.ts';
 import { type Cover, isCovered, Labels } from '../base/labels.ts';
 import type { Layer, ScreenPoint, ScreenSize, View } from '../base/view.ts';
 import { niceTicks } from '../base/numbers.ts';
@@ -112,7 +112,7 @@ export class DomainOutline implements Layer {
     private place(at: ScreenPoint | null, outward: ScreenPoint, gapPx: number, text: string, className: string): boolean {
         if (at === null) return false;
         const halfWidth = text.length * (className === 'tick' ? halfSignPx : halfNameSignPx);
-        const place = keptIn({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size, halfWidth);
+        const place = clampedToPicture({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size, halfWidth);
         const words = { ...place, halfWidth };
         const half = { width: halfWidth, height: halfHeightPx };
         if (this.cover !== null && isCovered(place, half, this.cover, this.size)) return false;

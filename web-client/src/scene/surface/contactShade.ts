@@ -104,7 +104,7 @@ export class ContactShade {
         renderer.autoClear = before.auto;
         renderer.setClearColor(before.colour, before.alpha);
         renderer.setRenderTarget(null);
-        this.look(camera, size, part);
+        this.sample(camera, size, part);
         this.object.visible = true;
     }
 
@@ -114,7 +114,7 @@ export class ContactShade {
         this.target = null;
     }
 
-    private look(camera: Camera, size: Vector2, { sample, samples, pairs: count, pixelRatio, ...part }: ShadePart): void {
+    private sample(camera: Camera, size: Vector2, { sample, samples, pairs: count, pixelRatio, ...part }: ShadePart): void {
         const { near, far } = camera as Camera & { near: number; far: number };
         this.perspective.value = 'isPerspectiveCamera' in camera;
         this.planes.value.set(near, far);

@@ -203,8 +203,8 @@ export class SurfaceMaterials {
         const seen = { constant: [0, 1], scalar: facts.scalarRange, s: [0, 1], age: ages }[style.source];
         const [least, greatest] = [seen[0] ?? 0, seen[1] ?? 1];
         // Of zero there is no logarithm.
-        const round = style.source === 'scalar' && !style.logarithmic;
-        const wanted = style.range ?? (round ? steadyRange(least, greatest) : [least, greatest]);
+        const rounded = style.source === 'scalar' && !style.logarithmic;
+        const wanted = style.range ?? (rounded ? steadyRange(least, greatest) : [least, greatest]);
         this.range = drawnRange(wanted, style.logarithmic, style.centre);
         const [low, high] = style.logarithmic ? this.range.map(Math.log) : this.range;
         own.range.value.set(low!, high!);

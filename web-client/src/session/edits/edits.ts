@@ -17,7 +17,7 @@ import type { SurfaceIntent } from './surfaceIntent.ts';
 import { type TurnAlong, UndoHistory } from './undoHistory.ts';
 
 /** The server tells others of no more. */
-const mostToldPoints = limits.presencePoints;
+const maxPresencePoints = limits.presencePoints;
 
 export interface EditsOptions {
     state: AppState;
@@ -91,7 +91,7 @@ export class Edits {
     /** Returns what others are told of a move while it lasts. */
     draggedNow({ shape, dragging }: RakeMove): { rake: string; points: Vec3[] } | null {
         const rake = this.state.activeRake.value;
-        if (!dragging || rake === null || shape.points.length > mostToldPoints) return null;
+        if (!dragging || rake === null || shape.points.length > maxPresencePoints) return null;
         return { rake, points: shape.points.map((point) => [...point] as Vec3) };
     }
 
@@ -106,11 +106,11 @@ export class Edits {
 
     /**
      * @param gesture the act it is part of, where that is not the control's
-     * @param told what is to be said of it at the controls
+     * @param remark what is to be said of it at the controls
      * @param along what undo and redo turn with it
      */
-    changeSurface(change: Partial<SurfaceIntent>, gesture?: string, told?: string | null, along?: TurnAlong): void {
-        this.surfaces.change(change, gesture, told, along);
+    changeSurface(change: Partial<SurfaceIntent>, gesture?: string, remark?: string | null, along?: TurnAlong): void {
+        this.surfaces.change(change, gesture, remark, along);
     }
 
     chooseRake(rake: string): void {

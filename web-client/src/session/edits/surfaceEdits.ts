@@ -73,7 +73,7 @@ export class SurfaceEdits {
         const dataset = state.dataset.value;
         const steady = dataset?.steady ?? false;
         const times = state.times.value;
-        const { intent: possible, told } = adapted({ ...before, ...change }, change.from !== undefined, times, steady);
+        const { intent: possible, remark: note } = adapted({ ...before, ...change }, change.from !== undefined, times, steady);
         const intent = dataset === null ? possible : withSecondCurve(possible, dataset.bounds, state.rakePoints.value);
         const setting = settingOf(intent, record, times, steady);
         if (setting === null) {
@@ -83,7 +83,7 @@ export class SurfaceEdits {
         this.taken = null;
         batch(() => {
             this.intent.value = intent;
-            this.remark.value = [told, remark].find((words) => words !== null) ?? null;
+            this.remark.value = [note, remark].find((words) => words !== null) ?? null;
         });
         const one = this.edited.get(record.surface) ?? this.track(record.surface);
         one.last = setting;
@@ -99,7 +99,7 @@ export class SurfaceEdits {
         this.forgetAllBut(surfaces.value);
         const record = surface.value;
         const one = this.edited.get(record?.surface ?? '');
-        const asked = one?.last ?? null;
+        const lastSetting = one?.last ?? null;
         const another = this.intentOf !== (record?.surface ?? '');
         this.intentOf = record?.surface ?? '';
         if (record === undefined) this.takeOver(null);
@@ -108,7 +108,7 @@ export class SurfaceEdits {
         // The record that the answer spoke of is still on its way.
         else if (one !== undefined && one.answeredRev > record.rev) return;
         // A record that is what was asked for brings no news of other people, and less than the intent says.
-        else if (asked === null || !fulfils(record, asked)) {
+        else if (lastSetting === null || !fulfils(record, lastSetting)) {
             // Overtaken: should it come back, by a redo, it is news again.
             if (one !== undefined) one.last = null;
             this.takeOver(record);

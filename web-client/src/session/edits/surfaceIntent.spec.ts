@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import { sampleSurface } from '../../testing/records.ts';
-import { fulfils, intentOf, settingAnew, settingOf, withSecondCurve } from './surfaceIntent.ts';
+import { fulfils, intentOf, settingForRecovery, settingOf, withSecondCurve } from './surfaceIntent.ts';
 
 const record = sampleSurface({ from: 8.5, to: 20.5, maxQuads: 1000 });
 const times = [8.5, 12, 16];
@@ -123,10 +123,10 @@ describe('settingAnew', () => {
             ['r2', 'r8'],
         ]);
         const { surface: _, rev: __, epoch: ___, ...asked } = patch;
-        expect(settingAnew(patch, rakes)).toEqual({ ...asked, rake: 'r7', rake2: 'r8' });
-        expect(settingAnew(patch, new Map([['r1', 'r7']]))).toBeNull();
-        expect(settingAnew(record, new Map())).toBeNull();
-        expect(settingAnew(record, rakes)).not.toHaveProperty('rake2');
+        expect(settingForRecovery(patch, rakes)).toEqual({ ...asked, rake: 'r7', rake2: 'r8' });
+        expect(settingForRecovery(patch, new Map([['r1', 'r7']]))).toBeNull();
+        expect(settingForRecovery(record, new Map())).toBeNull();
+        expect(settingForRecovery(record, rakes)).not.toHaveProperty('rake2');
     });
 });
 

@@ -80,7 +80,7 @@ export function settingOf(
     const field = { accuracy, interpolation, fields: [...fields] };
     const mesh = { separation, refine, maxQuads, merge, angle };
     const wanted = { kind, ...mesh, direction, ...field, ...shown, ...secondCurve(intent) };
-    return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
+    return { ...recordSetting({ ...record, ...wanted }), surface: record.surface };
 }
 
 /** It has nothing to follow: it is shown at all times that there are. */
@@ -89,11 +89,11 @@ function levelSetting(intent: SurfaceIntent, record: SurfaceRecord, times: reado
     if (field === null || level === null) return null;
     const [from, to] = [times[0] ?? 0, times.at(-1) ?? 0];
     const wanted = { kind, field, level, maxQuads, from, to, direction: 'forward' as const, fields: [...intent.fields] };
-    return { ...askedOf({ ...record, ...wanted }), surface: record.surface };
+    return { ...recordSetting({ ...record, ...wanted }), surface: record.surface };
 }
 
 /** Returns what of a record its setter asks for, and surfaces of its kind take. */
-function askedOf(record: SurfaceRecord): SurfaceSetting {
+function recordSetting(record: SurfaceRecord): SurfaceSetting {
     const takenBy: Partial<Record<string, readonly SurfaceKind[]>> = surfaceSetOnlyFor;
     const names = surfaceAskedNames.filter(
         (name) => record[name] !== undefined && takenBy[name]?.includes(record.kind) !== false,
@@ -112,14 +112,14 @@ function secondCurve({ sweep, rake2 }: SurfaceIntent): Pick<SurfaceRecord, 'swee
 }
 
 /** Returns what makes a lost surface anew, on the rakes that have taken the place of its own. */
-export function settingAnew(record: SurfaceRecord, rakes: ReadonlyMap<string, string>): SurfaceSetting | null {
+export function settingForRecovery(record: SurfaceRecord, rakes: ReadonlyMap<string, string>): SurfaceSetting | null {
     const rake = rakes.get(record.rake);
     if (rake === undefined) return null;
     // A link may have anything else in it, which is not the server's to hear.
-    const { rake2: second, ...asked } = askedOf(record);
-    if (second === undefined) return { ...asked, rake };
+    const { rake2: second, ...setting } = recordSetting(record);
+    if (second === undefined) return { ...setting, rake };
     const rake2 = rakes.get(second);
-    return rake2 === undefined ? null : { ...asked, rake, rake2 };
+    return rake2 === undefined ? null : { ...setting, rake, rake2 };
 }
 
 /** Returns whether a record is what a setting asked for, so that it brings no news of other people. */

@@ -7,18 +7,18 @@ const backward = { ...streak, from: 8, direction: 'backward' } as const;
 
 describe('a first time that is typed', () => {
     it('leaves the end where it is', () => {
-        expect(typedFrom(streak, 4, times, false)).toEqual({ change: { from: 4, length: 4 }, told: null });
-        expect(typedFrom(backward, 5, times, false)).toEqual({ change: { from: 5, length: 3 }, told: null });
+        expect(typedFrom(streak, 4, times, false)).toEqual({ change: { from: 4, length: 4 }, remark: null });
+        expect(typedFrom(backward, 5, times, false)).toEqual({ change: { from: 5, length: 3 }, remark: null });
     });
 
     it('moves the whole where it is past the end', () => {
-        expect(typedFrom(streak, 9, times, false)).toEqual({ change: { from: 9 }, told: null });
+        expect(typedFrom(streak, 9, times, false)).toEqual({ change: { from: 9 }, remark: null });
     });
 
     it('stops at the ends of the data, in words', () => {
         expect(typedFrom(streak, -3, times, false)).toEqual({
             change: { from: 0, length: 8 },
-            told: 't = −3 is outside the data, which go from 0 to 10: 0 is taken.',
+            remark: 't = −3 is outside the data, which go from 0 to 10: 0 is taken.',
         });
     });
 
@@ -26,22 +26,22 @@ describe('a first time that is typed', () => {
         const first = Math.fround(0.1); // 0.100000001
         expect(typedFrom({ ...streak, from: 0.2 }, 0.1, [first, 5, 10], false)).toEqual({
             change: { from: first, length: expect.closeTo(6.1, 6) as number },
-            told: null,
+            remark: null,
         });
     });
 
     it('is any time where the flow is steady, and no other length for a stream surface', () => {
-        expect(typedFrom(streak, -3, times, true)).toEqual({ change: { from: -3, length: 11 }, told: null });
-        expect(typedFrom({ ...streak, kind: 'stream' }, 7, times, false)).toEqual({ change: { from: 7 }, told: null });
+        expect(typedFrom(streak, -3, times, true)).toEqual({ change: { from: -3, length: 11 }, remark: null });
+        expect(typedFrom({ ...streak, kind: 'stream' }, 7, times, false)).toEqual({ change: { from: 7 }, remark: null });
     });
 });
 
 describe('a last time that is typed', () => {
     it('is how long it is followed, and stops at the end of the data', () => {
-        expect(typedTo(streak, 9.5, times, false)).toEqual({ change: { length: 7.5 }, told: null });
+        expect(typedTo(streak, 9.5, times, false)).toEqual({ change: { length: 7.5 }, remark: null });
         expect(typedTo(streak, 12, times, false)).toEqual({
             change: { length: 8 },
-            told: 't = 12 is outside the data, which go from 0 to 10: 10 is taken.',
+            remark: 't = 12 is outside the data, which go from 0 to 10: 10 is taken.',
         });
     });
 
@@ -52,7 +52,7 @@ describe('a last time that is typed', () => {
     });
 
     it('changes nothing where it is the first, and says so', () => {
-        expect(typedTo(streak, 2, times, false)).toEqual({ change: null, told: 'It ends at another time than it begins.' });
+        expect(typedTo(streak, 2, times, false)).toEqual({ change: null, remark: 'It ends at another time than it begins.' });
     });
 });
 

@@ -1,6 +1,6 @@
 // Which times and directions go together: a surface starts at `from` and ends `length` later, or earlier
 // where it goes backward. All but stream surfaces stay in the data, and what has to give way for that is
-// told.
+// said.
 import type { Direction, SurfaceKind } from '../../protocol/messages.ts';
 import { rounding, shortNumber } from '../../scene/base/numbers.ts';
 
@@ -41,28 +41,28 @@ export interface TypedTime {
     /** Null: it says nothing that could be done. */
     change: Partial<Times> | null;
     /** Holds what of it could not be so, and why; null: nothing. */
-    told: string | null;
+    remark: string | null;
 }
 
 /** Another first time: the surface still ends where it did, if that is later. The field of a stream surface
  *  is frozen then. */
 export function typedFrom(wanted: Times, typed: number, times: readonly number[], steady: boolean): TypedTime {
     const from = steady ? typed : inData(typed, times);
-    const told = outsideWords(typed, from, times);
-    if (wanted.kind === 'stream') return { change: { from }, told };
+    const remark = outsideWords(typed, from, times);
+    if (wanted.kind === 'stream') return { change: { from }, remark };
     const end = endOf(wanted, times, steady);
     const left = wanted.direction === 'backward' ? from - end : end - from;
-    return { change: left > 0 ? { from, length: left } : { from }, told };
+    return { change: left > 0 ? { from, length: left } : { from }, remark };
 }
 
 /** Another last time; one that is earlier than the first is that of a surface which goes backward. */
 export function typedTo(wanted: Times, typed: number, times: readonly number[], steady: boolean): TypedTime {
     const to = isFree(wanted, steady) ? typed : inData(typed, times);
-    const told = outsideWords(typed, to, times);
+    const remark = outsideWords(typed, to, times);
     const length = Math.abs(to - wanted.from);
-    if (!(length > 0)) return { change: null, told: told ?? 'It ends at another time than it begins.' };
+    if (!(length > 0)) return { change: null, remark: remark ?? 'It ends at another time than it begins.' };
     const direction = wanted.direction === 'both' ? 'both' : to < wanted.from ? 'backward' : 'forward';
-    return { change: direction === wanted.direction ? { length } : { length, direction }, told };
+    return { change: direction === wanted.direction ? { length } : { length, direction }, remark };
 }
 
 function inData(time: number, times: readonly number[]): number {
@@ -87,7 +87,7 @@ export function cutBackAt(wanted: Times, times: readonly number[], steady: boole
 export interface Adapted<Intent> {
     intent: Intent;
     /** Holds what was changed beside what the user has changed, and why; null: nothing. */
-    told: string | null;
+    remark: string | null;
 }
 
 /**
@@ -102,20 +102,20 @@ export function adapted<Intent extends Times>(
     times: readonly number[],
     steady: boolean,
 ): Adapted<Intent> {
-    const told: string[] = [];
+    const remark: string[] = [];
     const intent = { ...wanted };
     if (!directionsOf(intent.kind).includes(intent.direction)) {
         intent.direction = 'forward';
-        if (intent.kind === 'level') return { intent, told: null };
-        told.push(`A ${intent.kind} surface goes one way in time: this one goes forward.`);
+        if (intent.kind === 'level') return { intent, remark: null };
+        remark.push(`A ${intent.kind} surface goes one way in time: this one goes forward.`);
     }
     if (intent.kind !== 'level' && times.length > 1 && !(followed(intent, times, steady) > 0)) {
         const from = dragged ? nearestRelease(intent.direction, times) : bestRelease(intent.direction, times);
         const side = intent.direction === 'backward' ? 'before' : 'after';
-        told.push(`Released at ${shortNumber(from)}: the data have nothing ${side} ${shortNumber(intent.from)}.`);
+        remark.push(`Released at ${shortNumber(from)}: the data have nothing ${side} ${shortNumber(intent.from)}.`);
         intent.from = from;
     }
-    return { intent, told: told.length === 0 ? null : told.join(' ') };
+    return { intent, remark: remark.length === 0 ? null : remark.join(' ') };
 }
 
 /** The field of a stream surface stands still, and so does steady flow. */

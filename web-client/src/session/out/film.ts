@@ -46,7 +46,7 @@ export interface FilmOptions {
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'intent' | 'gestures'>;
     playback: Playback;
-    bodyFlow: Pick<BodyFlow, 'standing'>;
+    bodyFlow: Pick<BodyFlow, 'status'>;
     figure: Figure;
 }
 
@@ -148,16 +148,16 @@ export class FilmMaker {
         if (moving) await worker.call('time.set', { time });
         else playback.release(time, this.options.edits.gestures.current);
         // Another user may have moved the clock since.
-        const again = moving
+        const retry = moving
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
             : undefined;
         try {
             await this.until(() => {
                 const surfaces = moving ? this.surfacesAt(time) : ['final', 'empty', 'hidden'].includes(state.phase.value);
-                return bodyFlow.standing.value !== 'waiting' && surfaces;
+                return bodyFlow.status.value !== 'waiting' && surfaces;
             });
         } finally {
-            clearInterval(again);
+            clearInterval(retry);
         }
     }
 

@@ -2,7 +2,7 @@
 import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { type CallStep, KeptId, type MeshFile, type ScriptStep } from './scripts.ts';
+import { type CallStep, ScriptVariable, type MeshFile, type ScriptStep } from './scripts.ts';
 
 /** The rake of the surface that is being worked on, as it is on the screen. */
 export function rakeSteps(state: AppState): ScriptStep[] {
@@ -18,14 +18,14 @@ export function surfaceSteps(state: AppState): ScriptStep[] {
     const { surface: _surface, rev: _rev, epoch: _epoch, fields, ...asked } = record;
     const params = {
         ...asked,
-        rake: new KeptId('rake'),
-        ...(second === undefined ? {} : { rake2: new KeptId('rake2') }),
+        rake: new ScriptVariable('rake'),
+        ...(second === undefined ? {} : { rake2: new ScriptVariable('rake2') }),
         ...(fields === undefined || fields.length === 0 ? {} : { fields }),
     };
     const otherwise: CallStep[] = [
         rakeStep(state.rake.value, state.rakePoints.value, 'rake'),
         ...(second === undefined ? [] : [rakeStep(second, second.points, 'rake2')]),
-        { method: 'surface.set', params, keep: 'surface' },
+        { method: 'surface.set', params, variable: 'surface' },
     ];
     return [{ there: record.surface, otherwise }];
 }
@@ -45,9 +45,9 @@ export function meshSteps(state: AppState, mesh: MeshFile): ScriptStep[] {
     return surface === null ? [] : [{ mesh, surface }];
 }
 
-function rakeStep({ kind, seeds, name, colour }: RakeRecord, points: readonly Vec3[], keep: string): CallStep {
+function rakeStep({ kind, seeds, name, colour }: RakeRecord, points: readonly Vec3[], variable: string): CallStep {
     const shown = points.map((point) => [...point]);
-    return { method: 'rake.set', params: { kind, points: shown, seeds, name, colour }, keep };
+    return { method: 'rake.set', params: { kind, points: shown, seeds, name, colour }, variable };
 }
 
 /** Returns what the probe asks, where it is now. */

@@ -8,7 +8,7 @@ import { unfinished } from './scriptedPicture.ts';
 describe('a picture for a program', () => {
     let state: AppState;
     let look: SurfaceLook;
-    const standing = signal<'off' | 'waiting' | 'shown'>('off');
+    const status = signal<'off' | 'waiting' | 'shown'>('off');
 
     beforeEach(() => {
         state = new AppState();
@@ -21,7 +21,7 @@ describe('a picture for a program', () => {
     const drawn = (change: Partial<DisplayedSurface>): void => {
         state.displayed.value = new Map([['s1', displayedOf('s1', { time: 4, ...change })]]);
     };
-    const why = (time: number | null = null): string => unfinished(state, { lookOf: () => look }, { standing }, time);
+    const why = (time: number | null = null): string => unfinished(state, { lookOf: () => look }, { status }, time);
 
     it('is whole when the newest surface is drawn at its finest, at the time that is asked for', () => {
         expect(why()).toBe('');
@@ -35,9 +35,9 @@ describe('a picture for a program', () => {
     });
 
     it('is not whole while the flow along the body is on its way', () => {
-        standing.value = 'waiting';
+        status.value = 'waiting';
         expect(why()).toBe('the flow along the body is not there');
-        standing.value = 'shown';
+        status.value = 'shown';
         expect(why()).toBe('');
     });
 

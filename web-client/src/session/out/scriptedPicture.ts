@@ -23,7 +23,7 @@ export interface ScriptedSetting {
 export function unfinished(
     state: AppState,
     view: Pick<ViewState, 'lookOf'>,
-    bodyFlow: Pick<BodyFlow, 'standing'>,
+    bodyFlow: Pick<BodyFlow, 'status'>,
     time: number | null,
 ): string {
     const stage = state.stage.value;
@@ -36,14 +36,14 @@ export function unfinished(
         const why = unfinishedSurface(state, view, record, time);
         if (why !== '') return why;
     }
-    return bodyFlow.standing.value === 'waiting' ? 'the flow along the body is not there' : '';
+    return bodyFlow.status.value === 'waiting' ? 'the flow along the body is not there' : '';
 }
 
 export interface PageParts {
     state: AppState;
     view: Pick<ViewState, 'lookOf'>;
     scene: FlowScene;
-    bodyFlow: Pick<BodyFlow, 'standing'>;
+    bodyFlow: Pick<BodyFlow, 'status'>;
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
     figure: Figure;

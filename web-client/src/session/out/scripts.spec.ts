@@ -1,6 +1,6 @@
 import { execFileSync } from 'node:child_process';
 import { describe, expect, it } from 'vitest';
-import { type CallStep, curlScript, KeptId, pythonScript, quoted, type ScriptStep } from './scripts.ts';
+import { type CallStep, curlScript, ScriptVariable, pythonScript, quoted, type ScriptStep } from './scripts.ts';
 
 const place = { server: 'http://127.0.0.1:8080/some/prefix', session: 'main' };
 /** Everything that a language might take for the end of a text. */
@@ -19,14 +19,14 @@ const made: ScriptStep[] = [
             name: nasty,
             colour: undefined,
         },
-        keep: 'rake',
+        variable: 'rake',
     },
     {
         method: 'surface.set',
-        params: { rake: new KeptId('rake'), dataset: "d'1", kind: 'path', from: 8.5, to: 12, direction: 'both' },
-        keep: 'surface',
+        params: { rake: new ScriptVariable('rake'), dataset: "d'1", kind: 'path', from: 8.5, to: 12, direction: 'both' },
+        variable: 'surface',
     },
-    { mesh: { format: 'vtp' }, surface: new KeptId('surface') },
+    { mesh: { format: 'vtp' }, surface: new ScriptVariable('surface') },
 ];
 
 /** Runs a script with a stand-in for the client that notes what it is asked for. */
@@ -120,7 +120,7 @@ describe('a script for Python', () => {
     });
 
     it('exports a .glb for programs without Draco', () => {
-        const steps: ScriptStep[] = [{ mesh: { format: 'glb', draco: false }, surface: new KeptId('surface') }];
+        const steps: ScriptStep[] = [{ mesh: { format: 'glb', draco: false }, surface: new ScriptVariable('surface') }];
         const script = `surface = session.surfaces()\n${pythonScript(place, steps)}`;
         expect(script).toContain('surface.export("surface.glb", draco=False)');
     });

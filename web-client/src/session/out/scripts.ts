@@ -25,7 +25,7 @@ export function meshPath({ format, draco, now, lines }: MeshFile): string {
 }
 
 /** The id that an earlier step of the script has answered, under the name it was kept as. */
-export class KeptId {
+export class ScriptVariable {
     readonly name: string;
 
     constructor(name: string) {
@@ -39,13 +39,13 @@ export interface CallStep {
      *  id. */
     params: object;
     /** Keeps the member of the answer that is named like the record (`rake` of rake.set) under this name. */
-    keep?: string;
+    variable?: string;
 }
 
 /** A download, in full precision, once the surface is final. */
 export interface MeshStep {
     mesh: MeshFile;
-    surface: KeptId | string;
+    surface: ScriptVariable | string;
 }
 
 /** A surface that is there: of it a mesh and a file, once it is final. Where it is not there any more, it is
@@ -123,12 +123,12 @@ function surfaceThere({ there, otherwise }: SurfaceStep): string[] {
 
 function pythonCall(step: CallStep): string[] {
     const params = Object.entries(step.params).filter(([, value]) => value !== undefined);
-    const { method, keep } = step;
+    const { method, variable } = step;
     const special = idiom(method, new Map(params));
-    if (special !== null) return [keep === undefined ? special : `${keep} = ${special}`];
+    if (special !== null) return [variable === undefined ? special : `${variable} = ${special}`];
     const on = ofSession(method) ? 'session' : 'server';
     const text = `${on}.call(${[literal(method), ...params.map(keywordArgument)].join(', ')})`;
-    return [keep === undefined ? `print(${text})` : `${keep} = ${text}[${literal(nounOf(method))}]`];
+    return [variable === undefined ? `print(${text})` : `${variable} = ${text}[${literal(nounOf(method))}]`];
 }
 
 /** Returns the call as one would write it by hand; null where the class has no method that takes all of
@@ -173,7 +173,7 @@ function snake(name: string): string {
 function pythonDownload({ mesh, surface }: MeshStep): string[] {
     const lines = mesh.lines === undefined ? '' : `, lines=${literal(mesh.lines)}`;
     const file = literal(`surface.${mesh.format}`) + (mesh.draco === false ? ', draco=False' : '') + lines;
-    if (surface instanceof KeptId) return [`${surface.name}.wait()`, `${surface.name}.export(${file})`];
+    if (surface instanceof ScriptVariable) return [`${surface.name}.wait()`, `${surface.name}.export(${file})`];
     const found = `surface = next(each for each in session.surfaces() if each.id == ${literal(surface)})`;
     return [found, 'surface.wait()', `surface.export(${file})`];
 }
@@ -185,7 +185,7 @@ function keywordArgument([name, value]: [string, unknown]): string {
 
 /** A value as Python spells it. Strings of JSON are strings of Python. */
 function literal(value: unknown): string {
-    if (value instanceof KeptId) return value.name;
+    if (value instanceof ScriptVariable) return value.name;
     if (value === null || value === undefined) return 'None';
     if (typeof value === 'boolean') return value ? 'True' : 'False';
     if (typeof value === 'number') return String(value);
@@ -206,7 +206,7 @@ export function curlScript(place: ScriptPlace, all: readonly ScriptStep[]): stri
     if (steps.some((step) => !('mesh' in step))) {
         lines.push(`rpc() { get "$server/rpc" -H 'Content-Type: application/json' -d "$1"; }`);
     }
-    if (steps.some((step) => !('mesh' in step) && step.keep !== undefined)) {
+    if (steps.some((step) => !('mesh' in step) && step.variable !== undefined)) {
         lines.push(`id_of() { jq -er --arg noun "$1" '.result[$noun] // error(.error.message)'; }`);
     }
     for (const step of all) lines.push(...curlLines(place, step));
@@ -217,7 +217,7 @@ function curlLines(place: ScriptPlace, step: ScriptStep): string[] {
     if ('mesh' in step) return [curlDownload(place, step)];
     if (!('there' in step)) return [curlCall(place, step)];
     const mesh = { format: 'vtp' } as const;
-    const made = [...step.otherwise, { mesh, surface: new KeptId('surface') }].flatMap((each) => curlLines(place, each));
+    const made = [...step.otherwise, { mesh, surface: new ScriptVariable('surface') }].flatMap((each) => curlLines(place, each));
     return [
         '# The surface that is there, once it is final; if it is not there any more, the same again.',
         `${curlDownload(place, { mesh, surface: step.there })} || {`,
@@ -226,10 +226,10 @@ function curlLines(place: ScriptPlace, step: ScriptStep): string[] {
     ];
 }
 
-function curlCall(place: ScriptPlace, { method, params, keep }: CallStep): string {
+function curlCall(place: ScriptPlace, { method, params, variable }: CallStep): string {
     const text = message(method, ofSession(method) ? { session: place.session, ...params } : params);
-    if (keep === undefined) return `rpc ${text}; echo`;
-    return `${keep}=$(rpc ${text} | id_of ${nounOf(method)}) && echo "${keep}: $${keep}"`;
+    if (variable === undefined) return `rpc ${text}; echo`;
+    return `${variable}=$(rpc ${text} | id_of ${nounOf(method)}) && echo "${variable}: $${variable}"`;
 }
 
 /** One word of the shell: JSON in single quotes, and the variables that hold ids in double ones. */
@@ -239,7 +239,7 @@ function message(method: string, params: object): string {
     const given = Object.entries(params).filter(([, value]) => value !== undefined);
     for (const [i, [name, value]] of given.entries()) {
         json += `${i === 0 ? '' : ','}${JSON.stringify(name)}:`;
-        if (value instanceof KeptId) {
+        if (value instanceof ScriptVariable) {
             word += `${quoted(`${json}"`)}"$${value.name}"`;
             json = '"';
         } else json += JSON.stringify(value);
@@ -249,7 +249,7 @@ function message(method: string, params: object): string {
 
 function curlDownload({ session }: ScriptPlace, { mesh, surface }: MeshStep): string {
     const before = `/api/v1/sessions/${encodeURIComponent(session)}/surfaces/`;
-    const id = surface instanceof KeptId ? `"$${surface.name}"` : quoted(encodeURIComponent(surface));
+    const id = surface instanceof ScriptVariable ? `"$${surface.name}"` : quoted(encodeURIComponent(surface));
     return `get "$server"${quoted(before)}${id}${quoted(`/${meshPath(mesh)}`)} -o surface.${mesh.format}`;
 }
 

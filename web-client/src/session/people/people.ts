@@ -25,8 +25,8 @@ export class People {
     private readonly options: PeopleOptions;
     private readonly later: (action: () => void, ms: number) => () => void;
     /** Not told yet; what is told last counts. */
-    private news: Presence = {};
-    private told: Record<string, string> = {};
+    private pending: Presence = {};
+    private sent: Record<string, string> = {};
     private resting = false;
 
     constructor(options: PeopleOptions) {
@@ -40,8 +40,8 @@ export class People {
             state.you.value = you;
             state.participants.value = new Map(participants.map((each) => [each.participant, each]));
         });
-        this.told = {};
-        this.news = {};
+        this.sent = {};
+        this.pending = {};
         this.cameraMoved();
     }
 
@@ -60,7 +60,7 @@ export class People {
         if (left.includes(view.following.value ?? '')) view.following.value = null;
         // A newcomer to a user who was alone has been told nothing of them.
         if (alone && people.size > 1) {
-            this.told = {};
+            this.sent = {};
             this.cameraMoved();
         }
         if (changes.some(({ participant, camera }) => participant === view.following.value && camera !== undefined)) {
@@ -88,17 +88,17 @@ export class People {
     }
 
     tell(presence: Presence): void {
-        this.news = { ...this.news, ...presence };
+        this.pending = { ...this.pending, ...presence };
         if (!this.resting) this.send();
     }
 
     private send(): void {
         const { state, worker } = this.options;
         if (state.participants.value.size < 2) return;
-        const fresh = Object.entries(this.news).filter(([name, value]) => this.told[name] !== JSON.stringify(value));
-        this.news = {};
+        const fresh = Object.entries(this.pending).filter(([name, value]) => this.sent[name] !== JSON.stringify(value));
+        this.pending = {};
         if (fresh.length === 0) return;
-        for (const [name, value] of fresh) this.told[name] = JSON.stringify(value);
+        for (const [name, value] of fresh) this.sent[name] = JSON.stringify(value);
         worker.notify('presence.update', Object.fromEntries(fresh));
         this.resting = true;
         this.later(() => {

@@ -12,15 +12,15 @@ export function showPeople(state: AppState, view: ViewState, scene: FlowScene): 
     const layer = new PeopleLayer(scene.labels);
     scene.add(layer);
     effect(() => {
-        const unseen = [state.you.value, view.following.value];
+        const excluded = [state.you.value, view.following.value];
         const others = [...state.participants.value.values()];
-        layer.set(others.filter(({ participant, connected }) => connected && !unseen.includes(participant)));
+        layer.set(others.filter(({ participant, connected }) => connected && !excluded.includes(participant)));
         scene.loop.request();
     });
 }
 
 /** Looking up what is under the pointer draws the surfaces once more. */
-const lookEveryMs = 100;
+const pickEveryMs = 100;
 
 export interface PointingOptions extends Pick<Sight, 'pick'> {
     state: AppState;
@@ -32,7 +32,7 @@ export class Pointing implements PointerTool {
     private readonly options: PointingOptions;
     private at: Pointer | null = null;
     private changed = false;
-    private lookedAt = 0;
+    private pickedAt = 0;
 
     constructor(options: PointingOptions) {
         this.options = options;
@@ -49,13 +49,13 @@ export class Pointing implements PointerTool {
     flush(): void {
         const now = performance.now();
         if (!this.changed) return;
-        if (this.at !== null && now - this.lookedAt < lookEveryMs) {
+        if (this.at !== null && now - this.pickedAt < pickEveryMs) {
             // The last place counts, also when the pointer stays there.
-            setTimeout(this.options.requestFrame, lookEveryMs);
+            setTimeout(this.options.requestFrame, pickEveryMs);
             return;
         }
         this.changed = false;
-        this.lookedAt = now;
+        this.pickedAt = now;
         const hit = this.at === null ? null : this.options.pick(this.at.at);
         this.options.people.tell({ pointer: hit?.point ?? null });
     }

@@ -44,13 +44,13 @@ describe('the flow along the body', () => {
     it('is asked for only while it is wanted, and goes when it is not', async () => {
         const { view, time, asked, shown, bodyFlow, answer } = bench();
         time.value = 2;
-        expect([asked, bodyFlow.standing.value]).toEqual([[], 'off']);
+        expect([asked, bodyFlow.status.value]).toEqual([[], 'off']);
         view.bodyTexture.value = true;
-        expect([asked, bodyFlow.standing.value]).toEqual([[2], 'waiting']);
+        expect([asked, bodyFlow.status.value]).toEqual([[2], 'waiting']);
         await answer();
-        expect([shown, bodyFlow.standing.value]).toEqual([[2], 'shown']);
+        expect([shown, bodyFlow.status.value]).toEqual([[2], 'shown']);
         view.bodyTexture.value = false;
-        expect([shown, bodyFlow.standing.value]).toEqual([[2, null], 'off']);
+        expect([shown, bodyFlow.status.value]).toEqual([[2, null], 'off']);
     });
 
     it('is asked for once at a time, and then at the newest of the times that came meanwhile', async () => {
@@ -59,9 +59,9 @@ describe('the flow along the body', () => {
         for (const at of [2, 3, 4]) time.value = at;
         expect(asked).toEqual([1]);
         await answer();
-        expect([asked, shown, bodyFlow.standing.value]).toEqual([[1, 4], [1], 'waiting']);
+        expect([asked, shown, bodyFlow.status.value]).toEqual([[1, 4], [1], 'waiting']);
         await answer();
-        expect([asked, shown, bodyFlow.standing.value]).toEqual([[1, 4], [1, 4], 'shown']);
+        expect([asked, shown, bodyFlow.status.value]).toEqual([[1, 4], [1, 4], 'shown']);
         // The texture goes on meanwhile, and stands where there is no clock.
         clock.value = false;
         expect(moved).toEqual([1, 2, 3, 4, null]);
@@ -86,11 +86,11 @@ describe('the flow along the body', () => {
         const { state, view, time, asked, bodyFlow, answer } = bench();
         view.bodyTexture.value = true;
         await answer('fail');
-        expect([asked, bodyFlow.standing.value]).toEqual([[1], 'failed']);
+        expect([asked, bodyFlow.status.value]).toEqual([[1], 'failed']);
         expect(state.notices.all.value.get('body flow')).toBe('too busy');
         time.value = 2;
         await answer();
-        expect([asked, bodyFlow.standing.value]).toEqual([[1, 2], 'shown']);
+        expect([asked, bodyFlow.status.value]).toEqual([[1, 2], 'shown']);
         expect(state.notices.all.value.size).toBe(0);
     });
 

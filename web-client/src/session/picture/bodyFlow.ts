@@ -27,7 +27,7 @@ interface Wish {
 
 export class BodyFlow {
     /** failed: the server did not send it for this time. */
-    readonly standing = computed((): 'off' | 'waiting' | 'shown' | 'failed' => {
+    readonly status = computed((): 'off' | 'waiting' | 'shown' | 'failed' => {
         const wish = this.wish.value;
         if (wish === null) return 'off';
         if (this.answered.value !== wish.key) return 'waiting';

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { AppState } from '../../state/appState.ts';
-import { tellLostGraphics } from './drawingSettings.ts';
+import { announceLostGraphics } from './drawingSettings.ts';
 
 describe('graphics that are lost', () => {
     it('are said to be, with a way out, until they are back', () => {
         const [state, canvas] = [new AppState(), new EventTarget()];
         let reloads = 0;
-        tellLostGraphics(state, canvas, () => ++reloads);
+        announceLostGraphics(state, canvas, () => ++reloads);
         canvas.dispatchEvent(new Event('webglcontextlost'));
         expect(state.notices.all.value.get('graphics')).toContain('comes back by itself');
         state.notices.remedyOf('graphics')?.act();

@@ -6,20 +6,20 @@ import type { AppState } from '../../state/appState.ts';
 import { keep, recall } from '../../state/browserMemory.ts';
 import type { ViewState } from '../../state/viewState.ts';
 
-const kept = 'theme';
+const themeKey = 'theme';
 
 export function showTheme(view: ViewState, scene: Pick<FlowScene, 'setTheme'>): void {
     const preference = matchMedia('(prefers-color-scheme: light)');
     const systemIsLight = signal(preference.matches);
     preference.addEventListener('change', () => (systemIsLight.value = preference.matches));
-    const before = recall(kept);
+    const before = recall(themeKey);
     if (before === 'dark' || before === 'light') view.theme.value = before;
     effect(() => {
         const chosen = view.theme.value;
         const shown = chosen === 'system' ? (systemIsLight.value ? 'light' : 'dark') : chosen;
         document.documentElement.style.colorScheme = shown;
         scene.setTheme(shown);
-        keep(kept, chosen);
+        keep(themeKey, chosen);
     });
 }
 
@@ -48,17 +48,17 @@ function keepChoice(name: string, choice: Signal<boolean>, usual: boolean, show:
     });
 }
 
-const about = 'graphics';
+const graphicsNotice = 'graphics';
 
 /** As after a standby or a fault of a driver: the picture is black until the graphics come back. */
-export function tellLostGraphics(
+export function announceLostGraphics(
     { notices }: Pick<AppState, 'notices'>,
     canvas: EventTarget,
     reload = () => location.reload(),
 ): void {
     canvas.addEventListener('webglcontextlost', () => {
         notices.say(
-            about,
+            graphicsNotice,
             'The system has reset the graphics. The picture comes back by itself; if it does not, reload the page.',
             {
                 label: 'Reload',
@@ -66,5 +66,5 @@ export function tellLostGraphics(
             },
         );
     });
-    canvas.addEventListener('webglcontextrestored', () => notices.solved(about));
+    canvas.addEventListener('webglcontextrestored', () => notices.solved(graphicsNotice));
 }

@@ -22,7 +22,7 @@ export interface LooksOptions {
 }
 
 export function showLooks({ state, view, scene, worker }: LooksOptions): void {
-    const told = new Map<string, string>();
+    const sent = new Map<string, string>();
     effect(() => {
         // One that is shown again is new to the scene.
         void state.hiddenSurfaces.value;
@@ -37,11 +37,11 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
     });
     effect(() => {
         // A worker that has taken the place of another knows nothing of this.
-        if (state.stage.value !== 'running') told.clear();
+        if (state.stage.value !== 'running') sent.clear();
         const listed = view.partsListed.value ? state.activeSurface.value : null;
         // One that comes back is new to the worker.
-        for (const id of told.keys()) {
-            if (!state.surfaces.value.has(id) || state.hiddenSurfaces.value.has(id)) told.delete(id);
+        for (const id of sent.keys()) {
+            if (!state.surfaces.value.has(id) || state.hiddenSurfaces.value.has(id)) sent.delete(id);
         }
         for (const [id, record] of state.surfaces.value) {
             if (state.hiddenSurfaces.value.has(id)) continue;
@@ -53,8 +53,8 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
             const curved = look.curved ? { curved: view.pixelsPerLength.value } : {};
             const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed, ...units, ...fixed, ...curved };
             const text = JSON.stringify(wish);
-            if (told.get(id) === text) continue;
-            told.set(id, text);
+            if (sent.get(id) === text) continue;
+            sent.set(id, text);
             worker.show(id, wish);
         }
     });

@@ -44,8 +44,8 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
 function whyNothing({ displayed, outcomes, surfaces }: AppState, rake: string): string {
     for (const { surface, rake: its } of surfaces.value.values()) {
         const outcome = outcomes.value.get(surface);
-        const told = its === rake && outcome?.stateSum === displayed.value.get(surface)?.stateSum;
-        if (told && outcome?.empty !== undefined) return outcome.empty.message;
+        const explained = its === rake && outcome?.stateSum === displayed.value.get(surface)?.stateSum;
+        if (explained && outcome?.empty !== undefined) return outcome.empty.message;
     }
     return '';
 }

@@ -7,7 +7,7 @@ import { PageBench } from '../../testing/pageBench.ts';
 import { surfaceOf } from '../../testing/records.ts';
 import { rested } from '../../testing/shownPanel.ts';
 import type { SurfaceIntent } from '../edits/surfaceIntent.ts';
-import { changeLookWithFields, fieldsWith, tellLackedFields } from './surfaceFields.ts';
+import { changeLookWithFields, fieldsWith, announceMissingFields } from './surfaceFields.ts';
 
 const velocity = ['velocity_x', 'velocity_y', 'velocity_z'];
 const normals = ['normal_x', 'normal_y', 'normal_z'];
@@ -120,7 +120,7 @@ function shown(fields: string[], look: Partial<SurfaceLook>, role: 'viewer' | 'e
     carry(fields);
     state.stage.value = 'running';
     view.looks.value = new Map([['s1', { ...usualLook, ...look }]]);
-    tellLackedFields({ state, view, ownCopy: { begin: () => Promise.resolve(void copies.push('copy')) } });
+    announceMissingFields({ state, view, ownCopy: { begin: () => Promise.resolve(void copies.push('copy')) } });
     return { state, view, carry, copies, said: () => state.notices.all.value.get('lacked fields') ?? '' };
 }
 

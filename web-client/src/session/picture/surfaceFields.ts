@@ -100,30 +100,30 @@ function turnedAlong(view: FieldsOptions['view'], surface: string, before: Surfa
     };
 }
 
-export interface LackedFieldsOptions {
+export interface MissingFieldsOptions {
     state: Pick<AppState, 'stage' | 'role' | 'surfaces' | 'hiddenSurfaces' | 'editsPending' | 'notices'>;
     view: Pick<ViewState, 'lookOf'>;
     ownCopy: Pick<OwnCopy, 'begin'>;
 }
 
-const lackedAbout = 'lacked fields';
+const missingNotice = 'lacked fields';
 
-export function tellLackedFields({ state, view, ownCopy }: LackedFieldsOptions): void {
+export function announceMissingFields({ state, view, ownCopy }: MissingFieldsOptions): void {
     effect(() => {
         // Those that are being asked for are on their way.
         if (state.stage.value !== 'running' || state.editsPending.value) return;
-        const lacked = [...state.surfaces.value.values()].flatMap(({ surface, fields }) => {
+        const missing = [...state.surfaces.value.values()].flatMap(({ surface, fields }) => {
             const names = neededFields(view.lookOf(surface)).filter((name) => !fields.includes(name));
             return names.length === 0 || state.hiddenSurfaces.value.has(surface) ? [] : [`${names.join(', ')} with ${surface}`];
         });
-        if (lacked.length === 0) {
-            state.notices.solved(lackedAbout);
+        if (missing.length === 0) {
+            state.notices.solved(missingNotice);
             return;
         }
         const looksOn = state.role.value === 'viewer';
         state.notices.say(
-            lackedAbout,
-            `This view needs what the server does not send: ${lacked.join('; ')}. It is drawn without. ` +
+            missingNotice,
+            `This view needs what the server does not send: ${missing.join('; ')}. It is drawn without. ` +
                 (looksOn ? 'Someone who can edit, or you in a copy, can choose it under Look.' : 'Choose it again under Look.'),
             looksOn ? { label: 'Continue in a copy', act: () => void ownCopy.begin() } : null,
         );

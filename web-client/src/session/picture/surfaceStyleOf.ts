@@ -209,11 +209,11 @@ export function automaticRanges(
         const look = view.lookOf(id);
         if (state.hiddenSurfaces.value.has(id) || look.range !== null) continue;
         const attribute = look.colourBy === 'age' ? 't' : attributeOf(look.colourBy);
-        const told = state.valueRanges.value.get(id)?.find((each) => each.attribute === attribute);
-        if (told === undefined) continue;
+        const announced = state.valueRanges.value.get(id)?.find((each) => each.attribute === attribute);
+        if (announced === undefined) continue;
         const meaning = meaningOf(look, record);
         const other = ranges.get(meaning);
-        const { low, high, least, greatest } = told;
+        const { low, high, least, greatest } = announced;
         ranges.set(meaning, {
             surfaces: (other?.surfaces ?? 0) + 1,
             low: Math.min(low, other?.low ?? low),

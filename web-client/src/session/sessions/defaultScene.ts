@@ -50,7 +50,7 @@ const muchLonger = 2;
 export class Suggestions {
     private readonly state: AppState;
     private readonly worker: Pick<WorkerClient, 'call'>;
-    private asked = { dataset: '', steps: 0 };
+    private requested = { dataset: '', steps: 0 };
     private answer: Promise<void> = Promise.resolve();
 
     constructor(state: AppState, worker: Pick<WorkerClient, 'call'>) {
@@ -70,8 +70,8 @@ export class Suggestions {
     }
 
     private refresh(dataset: string, steps: number): Promise<void> {
-        if (dataset !== this.asked.dataset || steps >= muchLonger * this.asked.steps) {
-            this.asked = { dataset, steps };
+        if (dataset !== this.requested.dataset || steps >= muchLonger * this.requested.steps) {
+            this.requested = { dataset, steps };
             this.answer = this.ask(dataset);
         }
         return this.answer;
@@ -82,10 +82,10 @@ export class Suggestions {
         if (state.suggestion.value?.dataset !== dataset) state.suggestion.value = null;
         try {
             const suggestion = await this.worker.call('dataset.suggest', { dataset });
-            if (this.asked.dataset === dataset) state.suggestion.value = { dataset, ...suggestion };
+            if (this.requested.dataset === dataset) state.suggestion.value = { dataset, ...suggestion };
             state.problems.solved('suggestion');
         } catch (error) {
-            this.asked = { dataset: '', steps: 0 };
+            this.requested = { dataset: '', steps: 0 };
             tellUnlessCut(state.problems, 'suggestion', error);
         }
     }

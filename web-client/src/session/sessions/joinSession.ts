@@ -8,13 +8,13 @@ import { keep, recall } from '../../state/browserMemory.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 
 const { notFound, notPermitted } = errorCodes;
-export const nameKept = 'name';
+export const personNameKey = 'name';
 
 export function isNotFound(error: unknown): boolean {
     return error instanceof CallError && error.failure.code === notFound;
 }
 
-export class Arrival {
+export class SessionJoin {
     private readonly worker: Pick<WorkerClient, 'call'>;
     /** Is the session of the address, then the one that this page is in. */
     session: string | null;
@@ -41,7 +41,7 @@ export class Arrival {
     /** @param session null: the server chooses */
     async enter(session: string | null): Promise<JoinedSession> {
         const [named, resume] = [session === null ? {} : { session }, this.resume(session)];
-        const name = recall(nameKept);
+        const name = recall(personNameKey);
         const joined = await this.worker.call('session.join', { ...named, ...resume, ...(name === null ? {} : { name }) });
         this.session = joined.snapshot.session;
         this.resumeToken = joined.resumeToken;

@@ -5,7 +5,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { Calls } from '../base/calls.ts';
 import { encodeLinkState, openFragment, writeFragment } from '../view/urlState.ts';
 import type { Views } from '../view/views.ts';
-import { fitting } from './sessionShelf.ts';
+import { fitting } from './sessionList.ts';
 
 export interface OwnCopyOptions {
     state: Pick<AppState, 'session' | 'sessionName' | 'stage' | 'copyOf'>;

@@ -42,8 +42,8 @@ describe('a family made from the page', () => {
         expect(asked[0]).toMatchObject({ dataset: 'flow', name: 'rake_family_2', from: 'curve', rakeKind: 'line', time: 1.2 });
         expect(changes).toEqual([{ kind: 'level', field: 'rake_family_2', level: 0 }]);
         expect(times).toEqual([1]);
-        expect(families.standing.value).toMatchObject({ making: false });
-        expect(families.standing.value!.words).toBe('rake_family_2: 100 of 1000 nodes have no value.');
+        expect(families.status.value).toMatchObject({ making: false });
+        expect(families.status.value!.words).toBe('rake_family_2: 100 of 1000 nodes have no value.');
     });
 
     it('of the inflow shows the middle of its range', async () => {
@@ -66,12 +66,12 @@ describe('a family made from the page', () => {
         await families.make('x');
         expect(asked).toHaveLength(1);
         families.progressed('another', 90);
-        expect(families.standing.value).toMatchObject({ making: true, words: '' });
+        expect(families.status.value).toMatchObject({ making: true, words: '' });
         families.progressed(asked[0]!.workDoneToken!, 25);
-        expect(families.standing.value).toMatchObject({ words: '25 %' });
+        expect(families.status.value).toMatchObject({ words: '25 %' });
         families.cancel();
         await making;
-        expect(families.standing.value).toMatchObject({ making: false });
+        expect(families.status.value).toMatchObject({ making: false });
         expect(changes).toEqual([]);
     });
 
@@ -79,8 +79,8 @@ describe('a family made from the page', () => {
         const refusal = { kind: 'rpc', code: -32602, message: 'the flow enters nowhere', hint: 'take a plane' } as const;
         const { families, changes } = bench(() => Promise.reject(new CallError(refusal)));
         await families.make('z');
-        expect(families.standing.value).toMatchObject({ making: false });
-        expect(families.standing.value!.words).toContain('the flow enters nowhere');
+        expect(families.status.value).toMatchObject({ making: false });
+        expect(families.status.value!.words).toContain('the flow enters nowhere');
         expect(changes).toEqual([]);
     });
 });

@@ -10,7 +10,7 @@ import type { ClockControl } from '../time/clockControl.ts';
 /** The rake, or which coordinate of the inflow. */
 export type FamilyChoice = 'rake' | 'x' | 'y' | 'z';
 
-export interface FamilyStanding {
+export interface FamilyStatus {
     making: boolean;
     words: string;
 }
@@ -25,7 +25,7 @@ export interface FamiliesOptions {
 }
 
 export class Families {
-    readonly standing = signal<FamilyStanding | null>(null);
+    readonly status = signal<FamilyStatus | null>(null);
     private readonly options: FamiliesOptions;
     private tokens = 0;
     private token = '';
@@ -37,7 +37,7 @@ export class Families {
 
     /** From the notification $/progress. */
     progressed(token: string | number, percentage: number): void {
-        if (token !== this.token || this.standing.value?.making !== true) return;
+        if (token !== this.token || this.status.value?.making !== true) return;
         this.tell(true, `${Math.round(percentage)} %`);
     }
 
@@ -64,7 +64,7 @@ export class Families {
     }
 
     private tell(making: boolean, words = ''): void {
-        this.standing.value = { making, words };
+        this.status.value = { making, words };
     }
 
     cancel(): void {

@@ -1,18 +1,18 @@
 import { signal } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { SurfaceRecord, SurfaceStats } from '../../protocol/messages.ts';
-import { AppState, type DisplayedSurface, type Stage, type SurfaceStanding } from '../../state/appState.ts';
+import { AppState, type DisplayedSurface, type Stage, type SurfaceStatus } from '../../state/appState.ts';
 import { answering } from '../../testing/fakes.ts';
 import { datasetOf, displayedOf, sampleStatistics, surfaceOf } from '../../testing/records.ts';
 import { intentOf } from '../edits/surfaceIntent.ts';
-import { faster, standingWords, SurfaceOutcomes, SurfaceProgress, type ToldProgress, untilHere } from './surfaceProgress.ts';
+import { faster, progressWords, SurfaceOutcomes, SurfaceProgress, type ReportedProgress, untilHere } from './surfaceProgress.ts';
 
 interface Asked {
     method: string;
     params: Record<string, unknown>;
 }
 
-function told(change: Partial<ToldProgress>): ToldProgress {
+function progressOf(change: Partial<ReportedProgress>): ReportedProgress {
     return { fraction: null, message: '', time: null, quads: null, remaining: null, seconds: null, ...change };
 }
 
@@ -54,11 +54,11 @@ describe('SurfaceProgress', () => {
         ]);
         vi.advanceTimersByTime(300);
         expect(asked).toMatchObject([{ method: 'surface.wait', params: { surface: 's1', epoch: 4 } }]);
-        progress.progressed('someone else’s', told({ fraction: 0.9 }));
-        const news = told({ fraction: 0.25, message: 'refining', time: 3, quads: 1200, remaining: 8 });
+        progress.progressed('someone else’s', progressOf({ fraction: 0.9 }));
+        const news = progressOf({ fraction: 0.25, message: 'refining', time: 3, quads: 1200, remaining: 8 });
         progress.progressed(String(asked[0]!.params['workDoneToken']), news);
-        const { seconds: _seconds, ...standing } = news;
-        expect(state.progress.value).toEqual({ surface: 's1', ...standing, lasting: 'briefly' });
+        const { seconds: _seconds, ...status } = news;
+        expect(state.progress.value).toEqual({ surface: 's1', ...status, lasting: 'briefly' });
         void progress.stop();
         expect(asked[1]).toMatchObject({ method: 'surface.stop', params: { surface: 's1' } });
         answers[0]!();
@@ -73,7 +73,7 @@ describe('SurfaceProgress', () => {
         state.requestedEpochs.value = new Map([['s1', 5]]);
         expect(state.progress.value).toBeNull();
         vi.advanceTimersByTime(600);
-        progress.progressed(former, told({ fraction: 0.5 }));
+        progress.progressed(former, progressOf({ fraction: 0.5 }));
         expect(state.progress.value).toMatchObject({ surface: 's1', fraction: null, message: '' });
     });
 
@@ -94,15 +94,15 @@ describe('SurfaceProgress', () => {
         const { state, asked, progress } = bench();
         vi.advanceTimersByTime(600);
         const token = String(asked[0]!.params['workDoneToken']);
-        progress.progressed(token, told({ seconds: 4 }));
+        progress.progressed(token, progressOf({ seconds: 4 }));
         expect(state.progress.value?.lasting).toBe('a while');
-        progress.progressed(token, told({ seconds: 61 }));
+        progress.progressed(token, progressOf({ seconds: 61 }));
         expect(state.progress.value?.lasting).toBe('long');
     });
 });
 
-const view = { units: { value: { length: 'm', time: 's', speed: '' } } } as unknown as Parameters<typeof standingWords>[2];
-const standing: SurfaceStanding = {
+const view = { units: { value: { length: 'm', time: 's', speed: '' } } } as unknown as Parameters<typeof progressWords>[2];
+const status: SurfaceStatus = {
     ...{ surface: 's', fraction: 0.427, message: '', lasting: 'a while' },
     ...{ time: 8.2, quads: 12_345, remaining: 8.4 },
 };
@@ -115,17 +115,17 @@ function longPassBench(change: Parameters<typeof surfaceOf>[1] = {}) {
     return { state, intent: intentOf(record) };
 }
 
-describe('standingWords', () => {
+describe('progressWords', () => {
     it('tells the simulation time, the quads and the seconds left', () => {
         const { state } = longPassBench();
-        expect(standingWords(standing, state, view)).toBe('t = 8.2 of 19.2 s, 12\u202f345 quads, about 8 s left');
+        expect(progressWords(status, state, view)).toBe('t = 8.2 of 19.2 s, 12\u202f345 quads, about 8 s left');
     });
 
     it('tells the part where a surface is not moved in time, and nothing that is not known', () => {
         const { state } = longPassBench({ kind: 'stream' });
-        expect(standingWords({ ...standing, time: null, remaining: null }, state, view)).toBe('42 %, 12\u202f345 quads');
-        const unknown = { ...standing, fraction: null, time: null, quads: null, remaining: 200 };
-        expect(standingWords(unknown, state, view)).toBe('about 3 min left');
+        expect(progressWords({ ...status, time: null, remaining: null }, state, view)).toBe('42 %, 12\u202f345 quads');
+        const unknown = { ...status, fraction: null, time: null, quads: null, remaining: 200 };
+        expect(progressWords(unknown, state, view)).toBe('about 3 min left');
     });
 });
 
@@ -141,18 +141,18 @@ describe('what one can have instead', () => {
 
     it('ends where the work has come to, whichever way time runs, and never later', () => {
         const { intent } = longPassBench();
-        const reached = { ...standing, time: 8.123_456 };
+        const reached = { ...status, time: 8.123_456 };
         expect(untilHere(intent, reached, view)).toMatchObject({ words: 'Until t = 8.12 s' });
         expect(untilHere(intent, reached, view)!.change.length).toBeCloseTo(8.12);
         const backward = longPassBench({ from: 19.2, to: 0, direction: 'backward' }).intent;
-        const there = untilHere(backward, { ...standing, time: 11.075 }, view)!;
+        const there = untilHere(backward, { ...status, time: 11.075 }, view)!;
         expect(there.change.length).toBeCloseTo(8.12);
         expect(there.words).toBe('Until t = 11.08 s');
     });
 
     it('is no end where there is none: nothing reached, all of it, or no time to speak of', () => {
         const { intent } = longPassBench();
-        for (const time of [null, 0, 19.2]) expect(untilHere(intent, { ...standing, time }, view)).toBeNull();
+        for (const time of [null, 0, 19.2]) expect(untilHere(intent, { ...status, time }, view)).toBeNull();
     });
 });
 

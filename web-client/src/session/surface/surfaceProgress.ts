@@ -4,7 +4,7 @@
 import { computed, effect } from '@preact/signals-core';
 import type { SurfaceStats } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
-import { type AppState, type SurfaceStanding, withEntry } from '../../state/appState.ts';
+import { type AppState, type SurfaceStatus, withEntry } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { Calls } from '../base/calls.ts';
@@ -27,7 +27,7 @@ export interface SurfaceProgressOptions {
 }
 
 /** Describes what the server tells of its work. */
-export type ToldProgress = Pick<SurfaceStanding, 'fraction' | 'message' | 'time' | 'quads' | 'remaining'> & {
+export type ReportedProgress = Pick<SurfaceStatus, 'fraction' | 'message' | 'time' | 'quads' | 'remaining'> & {
     /** Says how long it has been at work. */
     seconds: number | null;
 };
@@ -61,11 +61,11 @@ export class SurfaceProgress {
     }
 
     /** From the notification $/progress. */
-    progressed(token: string | number, told: ToldProgress): void {
+    progressed(token: string | number, reported: ReportedProgress): void {
         const { progress } = this.options.state;
         if (token !== this.token || progress.value === null) return;
-        const { seconds, ...standing } = told;
-        progress.value = { ...progress.value, ...standing };
+        const { seconds, ...status } = reported;
+        progress.value = { ...progress.value, ...status };
         // It may have been at work before this page came.
         if (seconds !== null) this.lasts(1000 * seconds);
     }
@@ -110,19 +110,19 @@ const coarser = 2;
 const finestPart = 1000;
 
 /** Returns words like "t = 8.2 of 19.2, 12 345 quads, about 8 s left". Empty: there is nothing to say yet. */
-export function standingWords(
-    standing: SurfaceStanding,
+export function progressWords(
+    status: SurfaceStatus,
     state: Pick<AppState, 'dataset' | 'surfaces'>,
     view: Pick<ViewState, 'units'>,
 ): string {
     const words: string[] = [];
-    const to = state.surfaces.value.get(standing.surface)?.to;
-    if (standing.time !== null && to !== undefined) {
-        const reached = shortNumber(standing.time);
+    const to = state.surfaces.value.get(status.surface)?.to;
+    if (status.time !== null && to !== undefined) {
+        const reached = shortNumber(status.time);
         words.push(`t = ${reached} of ${timeWords(state, view, to)}`);
-    } else if (standing.fraction !== null) words.push(`${Math.floor(100 * standing.fraction)} %`);
-    if (standing.quads !== null) words.push(`${standing.quads.toLocaleString('en').replaceAll(',', '\u202f')} quads`);
-    if (standing.remaining !== null) words.push(leftWords(standing.remaining));
+    } else if (status.fraction !== null) words.push(`${Math.floor(100 * status.fraction)} %`);
+    if (status.quads !== null) words.push(`${status.quads.toLocaleString('en').replaceAll(',', '\u202f')} quads`);
+    if (status.remaining !== null) words.push(leftWords(status.remaining));
     return words.join(', ');
 }
 
@@ -148,10 +148,10 @@ export function faster(intent: SurfaceIntent, view: Pick<ViewState, 'units'>): L
 
 /** Ends where the work has come to; null: of a surface all of which is at one time there is no shorter
  *  one. */
-export function untilHere(intent: SurfaceIntent, standing: SurfaceStanding, view: Pick<ViewState, 'units'>): LessWork | null {
-    if (standing.time === null) return null;
+export function untilHere(intent: SurfaceIntent, status: SurfaceStatus, view: Pick<ViewState, 'units'>): LessWork | null {
+    if (status.time === null) return null;
     const unit = 10 ** Math.floor(Math.log10(intent.length / finestPart));
-    const length = Math.floor(Math.abs(standing.time - intent.from) / unit) * unit;
+    const length = Math.floor(Math.abs(status.time - intent.from) / unit) * unit;
     if (!(length > 0 && length < intent.length)) return null;
     const end = intent.from + (intent.direction === 'backward' ? -length : length);
     return { change: { length }, words: `Until t = ${withUnit(shortNumber(end), view.units.value.time)}` };
@@ -166,14 +166,14 @@ export interface SurfaceOutcomesOptions {
 export class SurfaceOutcomes {
     private readonly options: SurfaceOutcomesOptions;
     /** States that were asked for once, by surface. */
-    private readonly asked = new Map<string, number>();
+    private readonly requested = new Map<string, number>();
 
     constructor(options: SurfaceOutcomesOptions) {
         this.options = options;
         const { state } = options;
         effect(() => {
             const there = state.surfaces.value;
-            for (const surface of this.asked.keys()) if (!there.has(surface)) this.asked.delete(surface);
+            for (const surface of this.requested.keys()) if (!there.has(surface)) this.requested.delete(surface);
             const { outcomes } = state;
             const kept = [...outcomes.peek()].filter(([surface]) => there.has(surface));
             if (kept.length < outcomes.peek().size) outcomes.value = new Map(kept);
@@ -195,12 +195,12 @@ export class SurfaceOutcomes {
 
     private ask(surface: string, stateSum: number): void {
         const { state, worker } = this.options;
-        if (this.asked.get(surface) === stateSum || state.outcomes.peek().get(surface)?.stateSum === stateSum) return;
-        this.asked.set(surface, stateSum);
+        if (this.requested.get(surface) === stateSum || state.outcomes.peek().get(surface)?.stateSum === stateSum) return;
+        this.requested.set(surface, stateSum);
         // Where there is no answer, the surface is gone or the connection is.
         worker.call('surface.stats', { surface }).then(
             (stats) => this.done(stats),
-            () => this.asked.delete(surface),
+            () => this.requested.delete(surface),
         );
     }
 }

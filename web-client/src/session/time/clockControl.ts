@@ -16,7 +16,7 @@ export class ClockControl {
     private readonly window: EditWindow<number | null>;
     /** Holds what this page has set, ahead of the server, and what the server had told before. */
     private ahead: ClockRecord | null = null;
-    private told: ClockRecord | null = null;
+    private announced: ClockRecord | null = null;
 
     constructor(options: ClockControlOptions) {
         this.options = options;
@@ -38,7 +38,7 @@ export class ClockControl {
     set(time: number | null): void {
         const { clock } = this.options.state;
         if (clock.value !== null) {
-            if (clock.value !== this.ahead) this.told = clock.value;
+            if (clock.value !== this.ahead) this.announced = clock.value;
             this.ahead = { ...clock.value, time };
             clock.value = this.ahead;
         }
@@ -56,7 +56,7 @@ export class ClockControl {
     /** Takes back what is refused: other users do not see it. */
     private goBack(): void {
         const { clock } = this.options.state;
-        if (clock.value === this.ahead && this.told !== null) clock.value = this.told;
+        if (clock.value === this.ahead && this.announced !== null) clock.value = this.announced;
     }
 
     /** False where it was not taken. */

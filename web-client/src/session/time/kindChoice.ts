@@ -52,8 +52,8 @@ export function chooseKind({ state, edits, clock, playback }: KindChoice, kind: 
     const change = { kind, from: after.from, length: after.length, separation };
     edits.changeSurface(change, undefined, jumpWords(shownBefore, after, steady));
     // A clock that was never set shows the end.
-    const told = state.clock.value?.time ?? null;
-    if (kind !== 'stream' && !steady && told !== null && told !== after.shown) clock.set(after.shown);
+    const clockTime = state.clock.value?.time ?? null;
+    if (kind !== 'stream' && !steady && clockTime !== null && clockTime !== after.shown) clock.set(after.shown);
 }
 
 interface Suggested {

@@ -105,8 +105,8 @@ export class Playback {
     readonly speed = computed((): number => {
         if (this.chosenFactor.value !== null) return this.chosenFactor.value * this.normalSpeed.value;
         const record = this.options.state.clock.value;
-        const told = this.mode.value === 'clock' && record !== null && record.from !== null;
-        return told ? record.speed : this.normalSpeed.value;
+        const byClock = this.mode.value === 'clock' && record !== null && record.from !== null;
+        return byClock ? record.speed : this.normalSpeed.value;
     });
 
     readonly loop = computed((): boolean => {

@@ -3,7 +3,7 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import type { Pointer } from '../../scene/base/pointerTools.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
-import { answering, type Asked, settled } from '../../testing/fakes.ts';
+import { answering, type Params, settled } from '../../testing/fakes.ts';
 import { datasetOf, fieldOf } from '../../testing/records.ts';
 import { Measuring, nothingThere, Noting, Probing } from './pointTools.ts';
 
@@ -19,7 +19,7 @@ function bench() {
         bounds: [0, 10, 0, 10, 0, 10],
         times: [2],
     });
-    const asked: Asked[] = [];
+    const asked: Params[] = [];
     const answers: (() => void)[] = [];
     const worker = answering((_, params) => {
         asked.push(params);

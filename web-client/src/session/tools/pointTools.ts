@@ -134,9 +134,9 @@ export class Probing implements PointerTool {
         const fields = description.fields
             .map(({ name }) => name)
             .filter((name) => name === description.velocity || description.surfaceFields?.includes(name));
-        const asked = { dataset: description.dataset, points: [point], time, fields };
+        const params = { dataset: description.dataset, points: [point], time, fields };
         try {
-            const { inside, values } = await worker.call('probe.sample', asked);
+            const { inside, values } = await worker.call('probe.sample', params);
             const at = ([name, [value]]: [string, (number | Vec3 | null)[]]): ProbeReading['values'][number] => ({
                 name,
                 value: value ?? null,

@@ -3,7 +3,7 @@ import type { RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts
 import { answering } from '../../testing/fakes.ts';
 import { rakeOf, surfaceOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
-import { makeAnew } from './sessionRecovery.ts';
+import { recoverSession } from './sessionRecovery.ts';
 
 const rake = (id: string, seeds = 8): RakeRecord => rakeOf(id, { seeds });
 const surface = (id: string, of: string, more: object = {}): SurfaceRecord => surfaceOf(id, { rake: of, to: 1, ...more });
@@ -31,7 +31,7 @@ const former = {
 describe('a session made again', () => {
     it('has all that the server takes, says what is missing, and knows the new names', async () => {
         const { asked, worker } = serverThat(refused);
-        const made = await makeAnew(worker, former);
+        const made = await recoverSession(worker, former);
         expect([...made.rakes]).toEqual([['r2', 'n1']]);
         expect([...made.surfaces]).toEqual([['s2', 'n2']]);
         expect(made.missing).toBe('Not recreated: 1 rake and 1 surface. seeds: too few');
@@ -44,7 +44,7 @@ describe('a session made again', () => {
         const { asked, worker } = serverThat(refused);
         const there = { rakes: [rake('n7')].map((each) => ({ ...each, name: 'r2' })), surfaces: [surface('n8', 'n7')] };
         const remembered = { ...none, rakes: [rake('r2'), rake('r3')], surfaces: [surface('s1', 'r2'), surface('s2', 'r2')] };
-        const made = await makeAnew(worker, remembered, there);
+        const made = await recoverSession(worker, remembered, there);
         expect(asked).toHaveLength(2);
         expect([...made.rakes]).toEqual([
             ['r2', 'n7'],
@@ -62,7 +62,12 @@ describe('a session made again', () => {
         const note = { annotation: 'a1', rev: 1, text: 'Here', position: [1, 2, 3] as Vec3, author: 'Ada', surface: 's1' };
         const view = { surface: 's1', looks: { s1: { opacity: 0.5 }, gone: { opacity: 0.2 } } };
         const kept = { bookmark: 'b1', rev: 1, name: 'From above', view, time: 4 };
-        await makeAnew(worker, { rakes: [rake('r2')], surfaces: [surface('s1', 'r2')], bookmarks: [kept], annotations: [note] });
+        await recoverSession(worker, {
+            rakes: [rake('r2')],
+            surfaces: [surface('s1', 'r2')],
+            bookmarks: [kept],
+            annotations: [note],
+        });
         expect(asked.slice(2)).toEqual([
             { text: 'Here', position: [1, 2, 3], surface: 'n2' },
             { name: 'From above', time: 4, view: { surface: 'n2', looks: { n2: { opacity: 0.5 } } } },
@@ -70,6 +75,6 @@ describe('a session made again', () => {
     });
 
     it('is given up when the connection is lost', async () => {
-        await expect(makeAnew(serverThat(lost).worker, former)).rejects.toBe(lost);
+        await expect(recoverSession(serverThat(lost).worker, former)).rejects.toBe(lost);
     });
 });

@@ -3,10 +3,10 @@ import type { AnnotationRecord, BookmarkRecord, RakeRecord, SessionSnapshot, Sur
 import type { AppState } from '../../state/appState.ts';
 import { readPageView, renamedView } from '../../state/pageView.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
-import { settingAnew } from '../edits/surfaceIntent.ts';
+import { settingForRecovery } from '../edits/surfaceIntent.ts';
 import type { UrlState } from './urlState.ts';
 
-export interface Remembered {
+export interface SessionContent {
     rakes: RakeRecord[];
     surfaces: SurfaceRecord[];
     bookmarks: BookmarkRecord[];
@@ -14,7 +14,7 @@ export interface Remembered {
 }
 
 /** Names in the former session -> names in the new one, of what could be made; and why the rest could not. */
-export interface MadeAnew {
+export interface Recovered {
     rakes: Map<string, string>;
     surfaces: Map<string, string>;
     /** Null: all is there. */
@@ -23,7 +23,7 @@ export interface MadeAnew {
 
 /** Returns what this page has had, or else what its link says. Rakes have the shape on the screen, which may
  *  be ahead of the record. */
-export function rememberedOf(state: AppState, url: UrlState): Remembered {
+export function knownContent(state: AppState, url: UrlState): SessionContent {
     const [records, surfaces] = [[...state.rakes.value.values()], [...state.surfaces.value.values()]];
     const [bookmarks, annotations] = [[...state.bookmarks.value.values()], [...state.annotations.value.values()]];
     const known = records.length + bookmarks.length + annotations.length > 0;
@@ -36,7 +36,7 @@ export function rememberedOf(state: AppState, url: UrlState): Remembered {
     return { rakes, surfaces, bookmarks, annotations };
 }
 
-export function isNothing({ rakes, bookmarks, annotations }: Remembered): boolean {
+export function isEmptyContent({ rakes, bookmarks, annotations }: SessionContent): boolean {
     return rakes.length + bookmarks.length + annotations.length === 0;
 }
 
@@ -44,11 +44,11 @@ export function isNothing({ rakes, bookmarks, annotations }: Remembered): boolea
  * Each record by itself: what the server refuses of a link is missed, and the rest is there.
  * @param there  made in an earlier attempt, which a lost connection has ended
  */
-export async function makeAnew(
+export async function recoverSession(
     worker: Pick<WorkerClient, 'call'>,
-    remembered: Remembered,
+    remembered: SessionContent,
     there: Pick<SessionSnapshot, 'rakes' | 'surfaces'> & Partial<SessionSnapshot> = { rakes: [], surfaces: [] },
-): Promise<MadeAnew> {
+): Promise<Recovered> {
     const [rakes, surfaces] = [new Map<string, string>(), new Map<string, string>()];
     const refusals = new Refusals();
     const left = { rakes: [...there.rakes], surfaces: [...there.surfaces] };
@@ -60,7 +60,7 @@ export async function makeAnew(
         if (now !== null) rakes.set(rake, now.rake);
     }
     for (const record of remembered.surfaces) {
-        const setting = settingAnew(record, rakes);
+        const setting = settingForRecovery(record, rakes);
         const now =
             taken(left.surfaces, (each) => each.rake === setting?.rake && each.kind === setting.kind) ??
             (await refusals.of('surface', setting === null ? null : () => worker.call('surface.set', setting)));

@@ -76,7 +76,7 @@ const longestJson = 4500;
 const digits = 6;
 
 export function encodeLinkState({ view, rakes, surfaces }: LinkState): string {
-    const whole = jsonOf({ v: view, r: rakes.map(keptOfRake), s: surfaces.map(keptOfSurface) });
+    const whole = jsonOf({ v: view, r: rakes.map(savedRake), s: surfaces.map(savedSurface) });
     return base64Of(whole.length <= longestJson ? whole : jsonOf({ v: view }));
 }
 
@@ -96,11 +96,11 @@ export function decodeLinkState(text: string): LinkState {
     };
 }
 
-function keptOfRake({ rake, kind, points, seeds, name, colour }: RakeRecord): object {
+function savedRake({ rake, kind, points, seeds, name, colour }: RakeRecord): object {
     return { rake, kind, points, seeds, name, colour };
 }
 
-function keptOfSurface({ rev: _rev, epoch: _epoch, ...setting }: SurfaceRecord): object {
+function savedSurface({ rev: _rev, epoch: _epoch, ...setting }: SurfaceRecord): object {
     return setting;
 }
 

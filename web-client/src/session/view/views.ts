@@ -17,7 +17,7 @@ import {
 import { decodeLook, encodeLook, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { encodeLinkState, showFragment, type UrlState, writeFragment } from './urlState.ts';
-import type { MadeAnew } from './sessionRecovery.ts';
+import type { Recovered } from './sessionRecovery.ts';
 
 /** Browsers refuse more than 100 changes of the address in 30 s. */
 const addressRestMs = 500;
@@ -109,7 +109,7 @@ export class Views {
     }
 
     /** Renames the records of the view: it goes on with them. */
-    madeAnew({ rakes, surfaces }: Pick<MadeAnew, 'rakes' | 'surfaces'>): void {
+    madeAnew({ rakes, surfaces }: Pick<Recovered, 'rakes' | 'surfaces'>): void {
         const { state, view, url, scene } = this.options;
         const renamed = <Value>(each: Iterable<[string, Value]>): [string, Value][] =>
             [...each].flatMap(([id, value]): [string, Value][] => {

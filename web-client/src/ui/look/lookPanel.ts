@@ -19,7 +19,7 @@ import type { PaintModel } from './paintPanel.ts';
 export interface BodyModel {
     state: Pick<AppState, 'dataset'>;
     view: Pick<ViewState, 'bodyTexture'>;
-    bodyFlow: Pick<BodyFlow, 'standing'>;
+    bodyFlow: Pick<BodyFlow, 'status'>;
 }
 
 const bodyWords = {
@@ -36,7 +36,7 @@ export class BodyPanel extends ModelElement<BodyModel> {
         const { state, view, bodyFlow } = this.model;
         const { bodyTexture } = view;
         const none = state.dataset.value?.obstacle !== true;
-        const said = none ? 'There is no body in this dataset.' : bodyWords[bodyFlow.standing.value];
+        const said = none ? 'There is no body in this dataset.' : bodyWords[bodyFlow.status.value];
         return html`
             ${checkRow('Show the flow along the body', bodyTexture.value, (on) => (bodyTexture.value = on), { id: 'body-texture', disabled: none })}
             ${said === '' ? nothing : html`<p class="quiet" role="status">${said}</p>`}

@@ -6,7 +6,7 @@ import { signal } from '@preact/signals-core';
 import { curlScript, pythonScript, type ScriptStep } from '../../session/out/scripts.ts';
 import { baseUrl, readFragment } from '../../session/view/urlState.ts';
 import type { AppState } from '../../state/appState.ts';
-import { copyText } from '../base/takeAway.ts';
+import { copyText } from '../base/copyAndSave.ts';
 import { dialogStyles, ModelElement } from '../base/signalElement.ts';
 
 const languages = { Python: pythonScript, curl: curlScript };

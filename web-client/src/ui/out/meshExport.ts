@@ -10,7 +10,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import './copyAs.ts';
 import { exportStyles } from './exportParts.ts';
 import { checkRow, type Choice, selectRow } from '../base/rows.ts';
-import { fileName, saveFile } from '../base/takeAway.ts';
+import { fileName, saveFile } from '../base/copyAndSave.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 type FileChoice = MeshFile & Choice<string>;

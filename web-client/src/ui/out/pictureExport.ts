@@ -16,7 +16,7 @@ import '../base/locked.ts';
 import type { OwnCopyButton } from '../base/locked.ts';
 import { checkRow, type Choice, numberRow, selectRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { fileName, saveFile } from '../base/takeAway.ts';
+import { fileName, saveFile } from '../base/copyAndSave.ts';
 import { exportStyles, SizeChoice } from './exportParts.ts';
 
 const backgrounds: readonly Choice<FigureBackground>[] = [

@@ -2,7 +2,7 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { OwnServer } from '../../connection/ownServer.ts';
 import type { SessionEntry } from '../../protocol/messages.ts';
-import { SessionShelf } from '../../session/sessions/sessionShelf.ts';
+import { SessionList } from '../../session/sessions/sessionList.ts';
 import { savedFiles } from '../../testing/fakes.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
@@ -59,14 +59,14 @@ beforeEach(async () => {
     });
     const { state, view, worker } = bench;
     state.session.value = 'main';
-    const shelf = new SessionShelf({
+    const sessionList = new SessionList({
         state,
         worker,
         server: new OwnServer('http://localhost/'),
         restored: () => undefined,
         open: (to) => opened.push(to),
     });
-    dialog = await ShownPanel.of('wakesurf-sessions', { state, view, shelf });
+    dialog = await ShownPanel.of('wakesurf-sessions', { state, view, sessionList });
     view.sessionsShown.value = true;
     await settled();
     await settled();

@@ -4,11 +4,11 @@ import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { repeat } from 'lit/directives/repeat.js';
 import type { SessionEntry } from '../../protocol/messages.ts';
-import type { SessionShelf } from '../../session/sessions/sessionShelf.ts';
+import type { SessionList } from '../../session/sessions/sessionList.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { dialogStyles, ModelElement } from '../base/signalElement.ts';
-import { fileName, saveFile } from '../base/takeAway.ts';
+import { fileName, saveFile } from '../base/copyAndSave.ts';
 import { type CardActs, type Question, sessionCard, trashCard } from './sessionCard.ts';
 
 const sessionsStyles = css`
@@ -208,43 +208,43 @@ const fewLeft = 10;
 export interface SessionsModel {
     state: Pick<AppState, 'dataset' | 'datasets' | 'gone' | 'role' | 'session'>;
     view: Pick<ViewState, 'sessionsShown'>;
-    shelf: SessionShelf;
+    sessionList: SessionList;
 }
 
 export class SessionsDialog extends ModelElement<SessionsModel> {
     private readonly inTrash = signal(false);
     private readonly sought = signal('');
-    private readonly asked = signal<{ session: string; question: Question } | null>(null);
+    private readonly question = signal<{ session: string; question: Question } | null>(null);
     private look = 0;
     private watching = false;
 
     static override styles = [dialogStyles, sessionsStyles];
 
     private readonly acts: CardActs = {
-        open: (entry) => (this.isHere(entry) ? this.close() : this.model.shelf.enter(entry.session)),
-        rename: ({ session }, name) => this.done(this.model.shelf.rename(session, name)),
-        copy: (entry) => this.done(this.model.shelf.copy(entry)),
+        open: (entry) => (this.isHere(entry) ? this.close() : this.model.sessionList.enter(entry.session)),
+        rename: ({ session }, name) => this.done(this.model.sessionList.rename(session, name)),
+        copy: (entry) => this.done(this.model.sessionList.copy(entry)),
         export: (entry) => void this.save(entry),
-        delete: (entry) => this.done(this.model.shelf.delete(entry)),
-        restore: (entry) => this.done(this.model.shelf.restore(entry)),
-        deleteForever: (entry) => this.done(this.model.shelf.deleteForever(entry)),
-        ask: (session, question) => (this.asked.value = question === null ? null : { session, question }),
+        delete: (entry) => this.done(this.model.sessionList.delete(entry)),
+        restore: (entry) => this.done(this.model.sessionList.restore(entry)),
+        deleteForever: (entry) => this.done(this.model.sessionList.deleteForever(entry)),
+        ask: (session, question) => (this.question.value = question === null ? null : { session, question }),
     };
 
-    private readonly fetchPicture = (session: string): Promise<Blob | null> => this.model.shelf.thumbnail(session);
+    private readonly fetchPicture = (session: string): Promise<Blob | null> => this.model.sessionList.thumbnail(session);
 
     override render(): TemplateResult {
-        const { shelf, view } = this.model;
+        const { sessionList, view } = this.model;
         if (!view.sessionsShown.value) return html`<dialog></dialog>`;
-        const trash = shelf.trash.value ?? [];
+        const trash = sessionList.trash.value ?? [];
         return html`<dialog aria-labelledby="sessions-head" @close=${this.closed}>
             <div class="head">
                 <h2 id="sessions-head">Sessions</h2>
                 ${
-                    shelf.ownOnly.value
+                    sessionList.ownOnly.value
                         ? nothing
                         : html`<div class="choice" role="group" aria-label="Which sessions">
-                          ${this.choice(`On this server (${shelf.sessions.value?.length ?? '…'})`, false)}
+                          ${this.choice(`On this server (${sessionList.sessions.value?.length ?? '…'})`, false)}
                           ${this.choice(`Trash (${trash.length})`, true)}
                       </div>`
                 }
@@ -253,7 +253,7 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
             <div role="status" aria-live="polite">${this.said('done')}</div>
             <div role="alert">${this.trouble()}</div>
             <div class="list">${this.inTrash.value ? this.deleted() : this.kept()}</div>
-            ${this.inTrash.value || shelf.ownOnly.value ? nothing : this.making()}
+            ${this.inTrash.value || sessionList.ownOnly.value ? nothing : this.making()}
         </dialog>`;
     }
 
@@ -265,8 +265,8 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
         }
         if (shown !== this.watching) {
             this.watching = shown;
-            if (shown) this.model.shelf.watch();
-            else this.model.shelf.unwatch();
+            if (shown) this.model.sessionList.watch();
+            else this.model.sessionList.unwatch();
         }
         // Colours through the object model: the content security policy forbids style attributes.
         for (const dot of this.renderRoot.querySelectorAll<HTMLElement>('.dot')) {
@@ -284,30 +284,30 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
     }
 
     private readonly closed = (): void => {
-        const { shelf, view } = this.model;
+        const { sessionList, view } = this.model;
         view.sessionsShown.value = false;
         this.inTrash.value = false;
-        this.asked.value = null;
+        this.question.value = null;
         this.sought.value = '';
-        shelf.notices.solved('done');
-        shelf.problems.solved('action');
+        sessionList.notices.solved('done');
+        sessionList.problems.solved('action');
     };
 
     private done(action: Promise<void>): void {
-        this.asked.value = null;
+        this.question.value = null;
         void action;
     }
 
     private choice(words: string, trash: boolean): TemplateResult {
         const choose = (): void => {
             this.inTrash.value = trash;
-            this.asked.value = null;
+            this.question.value = null;
         };
         return html`<button type="button" aria-pressed=${this.inTrash.value === trash ? 'true' : 'false'} @click=${choose}>${words}</button>`;
     }
 
     private said(about: string): TemplateResult | typeof nothing {
-        const { notices } = this.model.shelf;
+        const { notices } = this.model.sessionList;
         const words = notices.all.value.get(about);
         const remedy = notices.remedyOf(about);
         if (words === undefined) return nothing;
@@ -318,19 +318,19 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
     }
 
     private trouble(): TemplateResult[] {
-        return [...this.model.shelf.problems.all.value.values()].map(
+        return [...this.model.sessionList.problems.all.value.values()].map(
             (words) => html`<p class="said problem"><span class="words">${words}</span></p>`,
         );
     }
 
     private kept(): TemplateResult {
-        const { shelf, state } = this.model;
-        const all = shelf.sessions.value;
+        const { sessionList, state } = this.model;
+        const all = sessionList.sessions.value;
         if (all === null) return html`<p class="quiet">Asking the server …</p>`;
         const wanted = this.sought.value.trim().toLowerCase();
         const found = all.filter((entry) => wanted === '' || textOf(entry).includes(wanted));
         const hosts = state.role.value === 'host';
-        const makes = !shelf.ownOnly.value;
+        const makes = !sessionList.ownOnly.value;
         return html`${
             all.length < searchFrom
                 ? nothing
@@ -368,7 +368,7 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
     }
 
     private deleted(): TemplateResult {
-        const { trash, limits } = this.model.shelf;
+        const { trash, limits } = this.model.sessionList;
         const all = trash.value ?? [];
         if (all.length === 0) return html`<p class="quiet">The trash is empty. Deleted sessions stay here for 30 days.</p>`;
         return html`<p class="quiet">
@@ -395,14 +395,14 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
     }
 
     private questionOf({ session }: SessionEntry): Question | null {
-        const asked = this.asked.value;
+        const asked = this.question.value;
         return asked?.session === session ? asked.question : null;
     }
 
     private making(): TemplateResult {
-        const { shelf, state } = this.model;
+        const { sessionList, state } = this.model;
         const datasets = state.datasets.value;
-        const [remaining, limits, busy] = [shelf.remaining.value, shelf.limits.value, shelf.busy.value];
+        const [remaining, limits, busy] = [sessionList.remaining.value, sessionList.limits.value, sessionList.busy.value];
         const shown = state.dataset.value?.dataset;
         return html`<div class="foot">
             <form aria-label="A new session" @submit=${this.create}>
@@ -432,18 +432,18 @@ export class SessionsDialog extends ModelElement<SessionsModel> {
         // None of them is a file.
         const text = (field: string): string | null => values.get(field) as string | null;
         const dataset = text('dataset') ?? this.model.state.dataset.value?.dataset ?? null;
-        void this.model.shelf.create(text('name')?.trim() ?? '', dataset);
+        void this.model.sessionList.create(text('name')?.trim() ?? '', dataset);
     };
 
     private readonly import = (event: Event): void => {
         const input = event.target as HTMLInputElement;
         const file = input.files?.[0];
         // The same file may be chosen again.
-        if (file !== undefined) void this.model.shelf.import(file).finally(() => (input.value = ''));
+        if (file !== undefined) void this.model.sessionList.import(file).finally(() => (input.value = ''));
     };
 
     private async save(entry: SessionEntry): Promise<void> {
-        const file = await this.model.shelf.export(entry);
+        const file = await this.model.sessionList.export(entry);
         if (file !== null) saveFile(file, fileName(entry.name, 'session.json'));
     }
 }

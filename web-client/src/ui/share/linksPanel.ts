@@ -6,7 +6,7 @@ import type { Calls } from '../../session/base/calls.ts';
 import type { Views } from '../../session/view/views.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { copyText } from '../base/takeAway.ts';
+import { copyText } from '../base/copyAndSave.ts';
 import { momentWords, roleWords } from '../base/words.ts';
 import '../base/locked.ts';
 import type { OwnCopyButton } from '../base/locked.ts';
@@ -36,7 +36,7 @@ export class LinksPanel extends ModelElement<LinksModel> {
     private readonly made = signal<{ link: string; role: Role; expires: number | undefined } | null>(null);
     private readonly shares = signal<readonly ShareLink[]>([]);
     /** The link that is about to be taken back, and has made others. */
-    private readonly asked = signal<string | null>(null);
+    private readonly confirming = signal<string | null>(null);
     private readonly copied = signal(false);
 
     static override styles = css`
@@ -146,10 +146,10 @@ export class LinksPanel extends ModelElement<LinksModel> {
 
     private share(share: ShareLink): TemplateResult {
         const { grant, role, expires, children = 0 } = share;
-        const asked = this.asked.value === grant;
+        const asked = this.confirming.value === grant;
         const back = (): void => {
             if (children === 0) void this.takeBack(grant, false);
-            else this.asked.value = grant;
+            else this.confirming.value = grant;
         };
         return html`<li data-grant=${grant}>
             <span
@@ -164,7 +164,7 @@ export class LinksPanel extends ModelElement<LinksModel> {
                     ? html`<p>Revoke what those people made as well?</p>
                       <button type="button" @click=${() => this.takeBack(grant, true)}>${children === 1 ? 'Both' : `All ${children + 1}`}</button>
                       <button type="button" @click=${() => this.takeBack(grant, false)}>Only this one</button>
-                      <button type="button" @click=${() => (this.asked.value = null)}>Cancel</button>`
+                      <button type="button" @click=${() => (this.confirming.value = null)}>Cancel</button>`
                     : html`<button type="button" @click=${back}>Revoke</button>`
             }
         </li>`;
@@ -202,7 +202,7 @@ export class LinksPanel extends ModelElement<LinksModel> {
     }
 
     private async takeBack(grant: string, children: boolean): Promise<void> {
-        this.asked.value = null;
+        this.confirming.value = null;
         await this.model.calls.try('session.unshare', { grant, ...(children ? { children } : {}) });
         await this.list();
     }

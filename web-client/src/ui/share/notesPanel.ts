@@ -135,9 +135,9 @@ export class NoteDialog extends ModelElement<NoteModel> {
     }
 
     protected override updated(): void {
-        const asked = this.model.view.note.value !== null;
-        if (asked && this.dialog?.open === false) this.dialog.showModal();
-        else if (!asked && this.dialog?.open === true) this.dialog.close();
+        const wanted = this.model.view.note.value !== null;
+        if (wanted && this.dialog?.open === false) this.dialog.showModal();
+        else if (!wanted && this.dialog?.open === true) this.dialog.close();
     }
 
     private get dialog(): HTMLDialogElement | null {

@@ -19,7 +19,7 @@ beforeEach(async () => {
     const note = (what: string) => (): void => void asked.push(what);
     const choose = (name: string): Promise<void> => Promise.resolve(void asked.push(name));
     banner = await ShownPanel.of('wakesurf-banner', {
-        ...{ state: bench.state, view: bench.view, imports: { left, again: note('again'), stop: note('stop'), choose } },
+        ...{ state: bench.state, view: bench.view, imports: { left, resume: note('resume'), stop: note('stop'), choose } },
         ...{ retryNow: note('retry'), restoreSession: note('restore'), makeSessionAgain: note('make again') },
     });
 });
@@ -39,14 +39,14 @@ describe('an import', () => {
         await rested();
         expect(banner.text).toContain('You stopped waiting for wake. Its import continues for others (2 of 4).');
         await banner.press('Wait again');
-        expect(asked).toEqual(['stop', 'again']);
+        expect(asked).toEqual(['stop', 'resume']);
     });
 
     it('that was stopped says how far it is, and is resumed by who can edit', async () => {
         await importIs({ state: 'stopped' });
         expect(banner.text).toContain('The import of wake was stopped: 2 of 4 time-steps are here.');
         await banner.press('Resume the import');
-        expect(asked).toEqual(['again']);
+        expect(asked).toEqual(['resume']);
         bench.state.role.value = 'viewer';
         await rested();
         expect(banner.all('button')).toEqual([]);

@@ -62,7 +62,7 @@ customElements.define('wakesurf-link-field', LinkField);
 export interface BannerModel {
     state: AppState;
     view: Pick<ViewState, 'sessionsShown'>;
-    imports: Pick<ImportWait, 'again' | 'choose' | 'left' | 'stop'>;
+    imports: Pick<ImportWait, 'resume' | 'choose' | 'left' | 'stop'>;
     retryNow: () => void;
     /** Takes a link from a user whom the server does not let in; false: it is none. */
     takeLink: (text: string) => boolean;
@@ -173,7 +173,7 @@ export class Banner extends ModelElement<BannerModel> {
             <progress max="1" .value=${entry.progress ?? 0} aria-label="Import"></progress>
             ${
                 gone
-                    ? html`<button type="button" @click=${() => imports.again()}>Wait again</button>`
+                    ? html`<button type="button" @click=${() => imports.resume()}>Wait again</button>`
                     : html`<button type="button" @click=${() => imports.stop()}>Stop</button>`
             }
         </div>`;
@@ -206,7 +206,7 @@ export class Banner extends ModelElement<BannerModel> {
         const next = viewer ? 'Anyone who can edit can resume it.' : 'It can resume where it stopped.';
         return html`<div class="banner down" id="import-stopped">
             <span class="words">${there} ${next}</span>
-            ${viewer ? '' : html`<button type="button" @click=${() => imports.again()}>Resume the import</button>`}
+            ${viewer ? '' : html`<button type="button" @click=${() => imports.resume()}>Resume the import</button>`}
         </div>`;
     }
 

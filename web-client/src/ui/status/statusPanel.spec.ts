@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it } from 'vitest';
 import type { SurfaceStats } from '../../protocol/messages.ts';
-import type { SurfaceStanding } from '../../state/appState.ts';
+import type { SurfaceStatus } from '../../state/appState.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { displayedOf, sampleStatistics } from '../../testing/records.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
@@ -87,13 +87,13 @@ describe('a surface that is there', () => {
 });
 
 describe('a surface that takes long', () => {
-    const standing: SurfaceStanding = {
+    const computing: SurfaceStatus = {
         ...{ surface: 'surface-1', fraction: 0.4, message: '', time: 11.25, quads: 12_345, remaining: 8 },
         lasting: 'a while',
     };
 
-    async function takes(change: Partial<SurfaceStanding>): Promise<void> {
-        bench.state.progress.value = { ...standing, ...change };
+    async function takes(change: Partial<SurfaceStatus>): Promise<void> {
+        bench.state.progress.value = { ...computing, ...change };
         await rested();
     }
 

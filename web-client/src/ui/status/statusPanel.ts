@@ -9,7 +9,7 @@ import type { Edits } from '../../session/edits/edits.ts';
 import { meshIsCoarse } from '../../session/out/exportNames.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
-import { faster, type LessWork, standingWords, type SurfaceProgress, untilHere } from '../../session/surface/surfaceProgress.ts';
+import { faster, type LessWork, progressWords, type SurfaceProgress, untilHere } from '../../session/surface/surfaceProgress.ts';
 import type { AppState, SurfacePhase } from '../../state/appState.ts';
 import { type LatencyPart, latencyParts } from '../../state/latency.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -42,18 +42,18 @@ export class LongPass extends ModelElement<LongPassModel> {
 
     override render(): TemplateResult {
         const { state, view } = this.model;
-        const standing = state.progress.value;
-        if (standing === null || standing.lasting === 'briefly') return html``;
-        return html`<p class="value" id="standing">${standingWords(standing, state, view)}</p>
-            ${standing.lasting === 'long' ? this.offers() : nothing}`;
+        const status = state.progress.value;
+        if (status === null || status.lasting === 'briefly') return html``;
+        return html`<p class="value" id="standing">${progressWords(status, state, view)}</p>
+            ${status.lasting === 'long' ? this.offers() : nothing}`;
     }
 
     private offers(): TemplateResult {
         const { state, view, edits } = this.model;
         const intent = edits.intent.value;
-        const standing = state.progress.value;
-        const may = intent !== null && standing !== null && !state.locked.value;
-        const until = may ? untilHere(intent, standing, view) : null;
+        const status = state.progress.value;
+        const may = intent !== null && status !== null && !state.locked.value;
+        const until = may ? untilHere(intent, status, view) : null;
         return html`<p>This takes long. Instead:</p>
             <div role="group" aria-label="Instead of waiting">
                 ${may ? faster(intent, view).map((less) => this.less(less, 'Compute a surface that is there sooner')) : nothing}

@@ -75,8 +75,8 @@ export class LevelRows {
     /** A scalar that the flow carries, whose level sets are stream surfaces. */
     private family(): TemplateResult {
         const { families } = this.model;
-        const standing = families.standing.value;
-        const making = standing?.making === true;
+        const status = families.status.value;
+        const making = status?.making === true;
         const choose = (event: Event): void => {
             this.source.value = (event.target as HTMLSelectElement).value as FamilyChoice;
         };
@@ -90,7 +90,7 @@ export class LevelRows {
                     ${making ? 'Cancel' : 'Make it'}
                 </button>
             </label>
-            <p class="quiet" role="status">${standing?.words}</p>
+            <p class="quiet" role="status">${status?.words}</p>
         </details>`;
     }
 
@@ -99,8 +99,8 @@ export class LevelRows {
         const { state } = this.model;
         const record = state.surface.value;
         const [low, high] = state.outcomes.value.get(record?.surface ?? '')?.fieldRange ?? [];
-        const told = record?.field === field && low !== undefined && high !== undefined && low < high;
-        return told ? [low, high] : describedRange(dataset, field);
+        const announced = record?.field === field && low !== undefined && high !== undefined && low < high;
+        return announced ? [low, high] : describedRange(dataset, field);
     }
 
     private text(level: number, range: readonly [number, number] | null): string {

@@ -125,9 +125,9 @@ export class TimeEnds extends ModelElement<TimeEndsModel> {
             ${numberField({
                 ...{ id, narrow: true, shown: timeField(state, value), disabled: state.locked.value },
                 change: (to) => {
-                    const { change, told } = typed(to);
-                    if (change !== null) edits.changeSurface(change, undefined, told);
-                    else edits.remark.value = told;
+                    const { change, remark } = typed(to);
+                    if (change !== null) edits.changeSurface(change, undefined, remark);
+                    else edits.remark.value = remark;
                     return change !== null;
                 },
             })}`;

@@ -362,13 +362,13 @@ export class Timeline extends ModelElement<TimelineModel> {
 
     private hold(event: PointerEvent): void {
         this.held.value = (event.target as HTMLInputElement).id;
-        const letGo = (): void => {
+        const release = (): void => {
             this.held.value = null;
-            removeEventListener('pointerup', letGo);
-            removeEventListener('pointercancel', letGo);
+            removeEventListener('pointerup', release);
+            removeEventListener('pointercancel', release);
         };
-        addEventListener('pointerup', letGo);
-        addEventListener('pointercancel', letGo);
+        addEventListener('pointerup', release);
+        addEventListener('pointercancel', release);
     }
 
     private scrubbed(event: Event): void {

@@ -15,7 +15,7 @@ const fullTrash = 'Permanently delete some sessions in the trash.';
 /** Others make and delete sessions while the list is open. */
 const refreshMs = 5000;
 
-export interface SessionShelfOptions {
+export interface SessionListOptions {
     state: AppState;
     worker: Pick<WorkerClient, 'call'>;
     server: Pick<OwnServer, 'fetch'>;
@@ -30,7 +30,7 @@ export interface Limits {
     trash: number;
 }
 
-export class SessionShelf {
+export class SessionList {
     /** Null: not known yet. That which was used last comes first. */
     readonly sessions = signal<readonly SessionEntry[] | null>(null);
     readonly trash = signal<readonly SessionEntry[] | null>(null);
@@ -46,11 +46,11 @@ export class SessionShelf {
     /** Holds what has been done, and what came of it. */
     readonly notices = new Announcements();
     readonly busy = signal(false);
-    private readonly options: SessionShelfOptions;
+    private readonly options: SessionListOptions;
     private readonly open: (fragment: string) => void;
     private timer: ReturnType<typeof setInterval> | null = null;
 
-    constructor(options: SessionShelfOptions) {
+    constructor(options: SessionListOptions) {
         this.options = options;
         this.open = options.open ?? openFragment;
     }
@@ -202,17 +202,17 @@ function later(a: string | undefined, b: string | undefined): number {
 /** Limits a file, in bytes, to what the server takes; refused here already, lest it is sent for nothing. */
 const largestMiB = 24;
 
-type Asked = Pick<OwnServer, 'fetch'>;
+type Server = Pick<OwnServer, 'fetch'>;
 
 /** Error: in words. */
-async function fetchSessionFile(server: Asked, session: string): Promise<Blob> {
+async function fetchSessionFile(server: Server, session: string): Promise<Blob> {
     const reply = await server.fetch(`api/v1/sessions/${encodeURIComponent(session)}/session.json`);
     if (!reply.ok) throw await faultOf(reply);
     return reply.blob();
 }
 
 /** Error: in words. */
-async function sendSessionFile(server: Asked, file: Blob): Promise<SessionImported> {
+async function sendSessionFile(server: Server, file: Blob): Promise<SessionImported> {
     if (file.size > largestMiB << 20) {
         throw new Error(
             `This file is ${Math.ceil(file.size / (1 << 20))} MiB; a session file is at most ${largestMiB} MiB. Choose the file of an exported session.`,
@@ -225,7 +225,7 @@ async function sendSessionFile(server: Asked, file: Blob): Promise<SessionImport
 }
 
 /** The picture of a session, or null where it has none any more. */
-async function fetchThumbnail(server: Asked, session: string): Promise<Blob | null> {
+async function fetchThumbnail(server: Server, session: string): Promise<Blob | null> {
     const reply = await server.fetch(`api/v1/sessions/${encodeURIComponent(session)}/thumbnail`);
     return reply.ok ? reply.blob() : null;
 }

@@ -7,7 +7,7 @@ import type { Bounds } from '../../scene/domain/domainAxes.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
 
-export interface FirstLookOptions {
+export interface InitialViewOptions {
     state: Pick<AppState, 'activeSurface' | 'dataset' | 'displayed' | 'editsPending' | 'phase' | 'rakePoints' | 'surface'>;
     controls: Pick<CameraControls, 'offer'>;
     surfaces: Pick<SurfaceLayer, 'boxOf'>;
@@ -17,7 +17,7 @@ export interface FirstLookOptions {
 
 /** At what is there first, and once more when that has become final; then at one of another kind, which is
  *  elsewhere or of another size. What else is edited does not move the camera. */
-export function lookAtFirst({ state, controls, surfaces, dragging }: FirstLookOptions): void {
+export function frameFirstSurface({ state, controls, surfaces, dragging }: InitialViewOptions): void {
     let done = '';
     /** Of what was final last. */
     let last = { surface: '', kind: '', epoch: 0 };

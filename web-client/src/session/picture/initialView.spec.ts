@@ -4,7 +4,7 @@ import { CameraControls } from '../../scene/camera/cameraControls.ts';
 import { type Bounds, centreOf } from '../../scene/domain/domainAxes.ts';
 import { AppState } from '../../state/appState.ts';
 import { datasetOf, displayedOf, surfaceOf } from '../../testing/records.ts';
-import { around, lookAtFirst } from './firstLook.ts';
+import { around, frameFirstSurface } from './initialView.ts';
 
 const domain: Bounds = [-10, 10, -10, 10, -10, 10];
 const small: Bounds = [4, 5, 4, 5, 4, 6];
@@ -14,7 +14,7 @@ function bench() {
     const state = new AppState();
     const held = { now: false };
     let box: Bounds | null = small;
-    lookAtFirst({ state, controls, surfaces: { boxOf: () => box }, dragging: () => held.now });
+    frameFirstSurface({ state, controls, surfaces: { boxOf: () => box }, dragging: () => held.now });
     controls.setBounds(domain);
     state.dataset.value = datasetOf({ times: [0, 1] });
     state.activeSurface.value = 's';
