@@ -15,7 +15,7 @@ interface LockedPackage {
     dependencies?: Record<string, string>;
 }
 
-/** Holds what is said in each of the licences that the packages have. */
+/** What is said in each of the licences that the packages have. */
 const licenceWords = /Permission is hereby granted|Redistribution and use|TERMS AND CONDITIONS FOR USE|Mozilla Public License/;
 
 /** Types leave no code behind, and lit's stand-in for a DOM is for servers. */

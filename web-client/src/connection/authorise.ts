@@ -8,9 +8,9 @@ import { HopelessError, type OpenSocket } from './liveSocket.ts';
 const requestTimeoutMs = 8000;
 
 export interface Credentials {
-    /** Is the token of the server, or of a link. */
+    /** The token of the server, or of a link. */
     token: string | null;
-    /** Is the login that this browser has; one of the token's is extended by a week. */
+    /** The login that this browser has; one of the token's is extended by a week. */
     login: string | null;
 }
 

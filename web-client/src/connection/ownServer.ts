@@ -77,7 +77,7 @@ export function signed(login: string | null, init: RequestInit = {}): RequestIni
 }
 
 export interface StoredLogin {
-    /** Holds what the server takes for a while in place of the token. */
+    /** What the server takes for a while in place of the token. */
     login: string;
     /** The only session it is good for; null: every one. */
     session: string | null;

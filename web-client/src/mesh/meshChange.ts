@@ -1,7 +1,7 @@
 // What the worker hands to the scene of a surface and of a body: arrays for the GPU, of a surface only what is new in them. Declared here
 // because neither of the two knows the other; session/ carries it from the one to the other.
 
-/** Describes what is new since the change before: each array from some vertex, or some index, to the last;
+/** What is new since the change before: each array from some vertex, or some index, to the last;
  *  what is before is as it was. */
 export interface MeshChange {
     vertices: number;
@@ -26,15 +26,15 @@ export interface MeshChange {
     parts: readonly SurfacePart[] | null;
     /** Null: as before. */
     cut: Cut | null;
-    /** Says how long units of s and of t are on the surface, of every vertex. Null: as before, or not asked
+    /** How long units of s and of t are on the surface, of every vertex. Null: as before, or not asked
      *  for. */
     units: Float32Array | null;
-    /** Holds what a fixed grid cannot resolve, of every vertex (worker/vertexQuantities.ts). Null: as before, or
+    /** What a fixed grid cannot resolve, of every vertex (worker/vertexQuantities.ts). Null: as before, or
      *  not asked for. */
     unresolved: Float32Array | null;
 }
 
-/** Is a change that has one simulation time. */
+/** A change that has one simulation time. */
 export interface TimedMeshChange extends MeshChange {
     time: number;
 }
@@ -50,10 +50,10 @@ export const normalNames = ['normal_x', 'normal_y', 'normal_z'] as const;
 
 /** Nothing is drawn where levels, between vertices as they come, are higher. */
 export const cutLevel = 63;
-/** Is the level of what is not drawn at all. */
+/** The level of what is not drawn at all. */
 export const wholeCut = 255;
 
-/** Describes what is not drawn: hidden parts, and what is trimmed at torn borders. */
+/** What is not drawn: hidden parts, and what is trimmed at torn borders. */
 export interface Cut {
     /** Has a level for each vertex; empty: nothing is cut. */
     levels: Uint8Array;

@@ -39,7 +39,7 @@ function inflated(bytes: Uint8Array, size: number): Uint8Array {
 
 /** Numbers, to be taken one after the other. */
 export class Numbers {
-    /** Holds what follows the numbers. */
+    /** What follows the numbers. */
     readonly rest: Uint8Array;
     private readonly all: Uint32Array;
     private at = 0;

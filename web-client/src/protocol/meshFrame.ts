@@ -16,7 +16,7 @@ export const maxBlockVertices = 1 << 16;
 
 const flag = { key: 1, lossless: 2 } as const;
 
-/** Says how good a state is: what is shown, and whether more is to come. */
+/** How good a state is: what is shown, and whether more is to come. */
 export const phases = ['coarse', 'refined', 'final', 'live'] as const;
 export type Phase = (typeof phases)[number];
 

@@ -69,10 +69,10 @@ export type MethodName = keyof Methods;
 export type ParamsOf<M extends MethodName> = Methods[M]['params'];
 export type ResultOf<M extends MethodName> = Methods[M]['result'];
 
-/** Describes what history.undo and history.redo answer. */
+/** What history.undo and history.redo answer. */
 export type HistoryDepth = Omit<ResultOf<'history.undo'>, 'undone'>;
 
-/** Describes what surface.set takes from this page: a surface that says when it begins. */
+/** What surface.set takes from this page: a surface that says when it begins. */
 export type SurfaceSetting = Methods['surface.set']['params'] & { from: number };
 
 /** Why something failed, as records and notifications carry it. */
@@ -139,7 +139,7 @@ export type Notification = {
 export interface Reading {
     /** Null: this client does not know it, or cannot trust it. */
     notification: Notification | null;
-    /** Holds what is wrong with it, or with those of its parts that are left out. */
+    /** What is wrong with it, or with those of its parts that are left out. */
     faults: string[];
 }
 

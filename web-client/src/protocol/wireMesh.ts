@@ -3,7 +3,7 @@
 // unlike there, updates change the state in place.
 import { removeRuns, type Runs } from './bytes.ts';
 
-/** Describes what the codes 0 and the last one of an attribute stand for, until the next KEY. */
+/** What the codes 0 and the last one of an attribute stand for, until the next KEY. */
 export interface AttributeRange {
     lo: number;
     hi: number;

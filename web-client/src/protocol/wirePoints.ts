@@ -9,7 +9,7 @@ import { type Neighbours, none, roomFor, type WireMesh } from './wireMesh.ts';
 
 const maxTolerance = 32767;
 
-/** Describes what a block says of one of its channels. */
+/** What a block says of one of its channels. */
 interface Coding {
     predictor: number;
     scale: number; // what a residual of 1 stands for
@@ -100,7 +100,7 @@ const changePredictor = 4;
 
 const largestChange = 1 << 20;
 
-/** Describes what is predicted: the positions, the codes of an attribute, or the changes of appended
+/** What is predicted: the positions, the codes of an attribute, or the changes of appended
  *  vertices. */
 export interface Series {
     components: number;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { barIn, layoutOf, sizeFault, tilesOf, withoutBackground } from './capture.ts';
 
-/** Holds what is seen of a colour with this opacity before a ground, as browsers compose it. */
+/** What is seen of a colour with this opacity before a ground, as browsers compose it. */
 const before = (ground: number, value: number, alpha: number): number => Math.round(value * alpha + ground * (1 - alpha));
 
 describe('withoutBackground', () => {
@@ -30,7 +30,7 @@ describe('sizeFault', () => {
     });
 });
 
-/** Is the scalar bar of one field. */
+/** The scalar bar of one field. */
 const bar = { width: 288, height: 66, right: 12, bottom: 12 };
 const number = 12;
 

@@ -24,7 +24,7 @@ export interface FigureSetting {
     caption: string | null;
 }
 
-/** Holds what browsers make canvases of, and what pictures on paper need. */
+/** What browsers make canvases of, and what pictures on paper need. */
 const longestSide = 16_384;
 const pixelsAtMost = 128e6;
 /** Drawn at once; peeling needs some 60 bytes a pixel. */
@@ -270,9 +270,9 @@ function isClear(colour: string): boolean {
 }
 
 export interface Tile {
-    /** Holds what is drawn. */
+    /** What is drawn. */
     drawn: Part;
-    /** Holds what of it is taken. */
+    /** What of it is taken. */
     inner: Part;
 }
 

@@ -42,7 +42,7 @@ const eight = [
 interface Buffers {
     /** One picture, as it is on the screen. */
     drawn: FramebufferTexture;
-    /** Is the sum of all; their number is in alpha. */
+    /** The sum of all; their number is in alpha. */
     sum: WebGLRenderTarget;
 }
 

@@ -21,7 +21,7 @@ import { SurfacePick } from './surface/surfacePick.ts';
 import { type Cover, coverOf } from './base/labels.ts';
 import { type Layer, type Part, type ScreenPoint, type ScreenSize, View } from './base/view.ts';
 
-/** Is the pixel ratio of software rendering, while nothing is known of its speed. */
+/** The pixel ratio of software rendering, while nothing is known of its speed. */
 const firstSoftwareRatio = 0.5;
 const exactAfterMs = 300;
 /** Where pictures are slow, so are the hands that wait for them: a sharp picture must not come between two of
@@ -53,7 +53,7 @@ export class FlowScene {
     /** Lies over the canvas. */
     readonly labels: HTMLElement;
     framesDrawn = 0;
-    /** Says how the last picture shows what can be seen through. */
+    /** How the last picture shows what can be seen through. */
     transparency: 'none' | 'blended' | 'exact' = 'none';
     /** When the domain was on the screen first, on performance.now()'s clock. */
     firstPictureMs: number | null = null;
@@ -84,7 +84,7 @@ export class FlowScene {
     /** While a figure is drawn, which has another size than the canvas. */
     private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
-    /** Holds what lies over the picture, over that of a figure too. */
+    /** What lies over the picture, over that of a figure too. */
     private cover: Cover | null = null;
 
     constructor(options: FlowSceneOptions) {

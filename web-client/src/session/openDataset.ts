@@ -19,7 +19,7 @@ export interface OpenDatasetOptions {
 export class OpenDataset {
     private readonly options: OpenDatasetOptions;
     private readonly stepsHeld: StepsHeld;
-    /** Holds what the values of the data that are shown are told from others by. */
+    /** What the values of the data that are shown are told from others by. */
     private values: string | undefined;
 
     constructor(options: OpenDatasetOptions) {

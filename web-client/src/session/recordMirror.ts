@@ -3,7 +3,7 @@
 import type { Patch, SessionSnapshot, SurfaceEpoch } from '../protocol/messages.ts';
 import { type AppState, noUnits } from '../state/appState.ts';
 
-/** Describes what has become of surfaces. */
+/** What has become of surfaces. */
 export interface SurfaceChanges {
     added: string[];
     removed: string[];

@@ -34,7 +34,7 @@ class Bench {
     beforeSubscribed: (surface: string) => void = () => undefined;
     controller: SessionController;
     token = 't';
-    /** Is the number of calls that had been made when the undo history was cleared. */
+    /** The number of calls that had been made when the undo history was cleared. */
     clearedAfter = 0;
     private made = 1;
 

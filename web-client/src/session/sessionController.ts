@@ -50,7 +50,7 @@ export class SessionController {
     private failures = 0;
     /** The page has shown this session. */
     private shown = false;
-    /** Holds what is to be made again where the server has lost it; while there is such, the page keeps
+    /** What is to be made again where the server has lost it; while there is such, the page keeps
      *  showing it. */
     private lost: SessionContent | null = null;
 

@@ -2,7 +2,7 @@
 // again or they are sent away; what is said of other things stays. Names that others have written are fenced off in it.
 import { signal } from '@preact/signals-core';
 
-/** Describes what can be done about it, at once. */
+/** What can be done about it, at once. */
 export interface Remedy {
     label: string;
     act: () => void;
@@ -14,7 +14,7 @@ export type Passing = 'edit' | 'press';
 export class Announcements {
     readonly all = signal<ReadonlyMap<string, string>>(new Map());
     private readonly remedies = new Map<string, Remedy>();
-    /** Holds what is said of something that was done, and is old news after the next. */
+    /** What is said of something that was done, and is old news after the next. */
     private readonly passing = new Map<string, Passing>();
 
     /** @param about the record or control concerned, or the kind of a notice */

@@ -1,4 +1,4 @@
-// Holds what the page knows, as signals: the connection, and mirrors of the server's records. Written by
+// What the page knows, as signals: the connection, and mirrors of the server's records. Written by
 // session/, read by ui/.
 import { computed, signal } from '@preact/signals-core';
 import type { ConnectionState } from '../connection/liveSocket.ts';
@@ -24,7 +24,7 @@ import type {
 import { Announcements } from './announcements.ts';
 import type { LatencySample } from './latency.ts';
 
-/** Describes what is on the screen of one surface. */
+/** What is on the screen of one surface. */
 export interface DisplayedSurface {
     surface: string;
     epoch: number;
@@ -63,7 +63,7 @@ export interface GoneSession {
     remembered: boolean;
 }
 
-/** Describes how much of the dataset's time-steps is in the server's memory, or on its way there; of large
+/** How much of the dataset's time-steps is in the server's memory, or on its way there; of large
  *  ones a part, which is read by brick. */
 export interface HeldSteps {
     /** Bytes of each. */
@@ -80,7 +80,7 @@ export class AppState {
     readonly retryAt = signal(0);
     readonly everConnected = signal(false);
     readonly stage = signal<Stage>('starting');
-    /** Holds what the server says it can do; what is not named here it cannot. */
+    /** What the server says it can do; what is not named here it cannot. */
     readonly capabilities = signal<readonly string[]>([]);
     /** All that the server has. */
     readonly datasets = signal<readonly DatasetEntry[]>([]);
@@ -97,7 +97,7 @@ export class AppState {
     readonly sessionName = signal('');
     /** The session that this one was copied from; null: none. */
     readonly copyOf = signal<{ session: string; name: string } | null>(null);
-    /** Are the units that people of this session have typed; an empty one is as the dataset says. */
+    /** The units that people of this session have typed; an empty one is as the dataset says. */
     readonly typedUnits = signal<Units>(noUnits);
     readonly gone = signal<GoneSession | null>(null);
     /** Empty where it is not told. */
@@ -118,9 +118,9 @@ export class AppState {
     readonly parts = signal<ReadonlyMap<string, readonly SurfacePart[]>>(new Map());
     /** The newest epoch that an answer or a record of the server has named, by surface. */
     readonly requestedEpochs = signal<ReadonlyMap<string, number>>(new Map());
-    /** Holds what the server counted on the newest finished state of a surface. */
+    /** What the server counted on the newest finished state of a surface. */
     readonly outcomes = signal<ReadonlyMap<string, SurfaceStats>>(new Map());
-    /** Holds what the values of a surface range over since it began to play, as every user is told. */
+    /** What the values of a surface range over since it began to play, as every user is told. */
     readonly valueRanges = signal<ReadonlyMap<string, readonly ValueRange[]>>(new Map());
     readonly surfaceErrors = signal<ReadonlyMap<string, SurfaceFailure>>(new Map());
     /** Surfaces of which older states were left out, because this client is slower than the server. */
@@ -131,15 +131,15 @@ export class AppState {
     /** Nothing of the session can be changed from here: it is for looking on, or the server does not hear. */
     readonly locked = computed(() => this.role.value === 'viewer' || this.stage.value !== 'running');
     readonly editsPending = signal(false);
-    /** Holds what was refused or has failed. */
+    /** What was refused or has failed. */
     readonly problems = new Announcements();
-    /** Holds what is good to know, by its kind. */
+    /** What is good to know, by its kind. */
     readonly notices = new Announcements();
-    /** Is the progress of the selected surface, while it takes long. */
+    /** The progress of the selected surface, while it takes long. */
     readonly progress = signal<SurfaceStatus | null>(null);
-    /** Is the time of a message to the server and back, in milliseconds. */
+    /** The time of a message to the server and back, in milliseconds. */
     readonly roundTripMs = signal<number | null>(null);
-    /** Holds what the server suggests to begin with in the dataset; null: not known yet. */
+    /** What the server suggests to begin with in the dataset; null: not known yet. */
     readonly suggestion = signal<({ dataset: string } & ResultOf<'dataset.suggest'>) | null>(null);
     /** Belongs to the newest edit that is on the screen. */
     readonly latency = signal<LatencySample | null>(null);
@@ -165,7 +165,7 @@ export class AppState {
         const ready = this.datasetEntry.value?.steps?.ready ?? times.length;
         return times.slice(0, Math.max(1, ready));
     });
-    /** Is the range of the speed over the whole dataset: colours mean the same at all times. */
+    /** The range of the speed over the whole dataset: colours mean the same at all times. */
     readonly speedRange = computed((): [number, number] => {
         const dataset = this.dataset.value;
         const field = dataset?.fields.find(({ name }) => name === dataset.velocity);
@@ -175,10 +175,10 @@ export class AppState {
     });
 }
 
-/** Describes how far the server has come with a surface; null: not known. */
+/** How far the server has come with a surface; null: not known. */
 export interface SurfaceStatus {
     surface: string;
-    /** Is the part of the way to the final one, 0 to 1. */
+    /** The part of the way to the final one, 0 to 1. */
     fraction: number | null;
     message: string;
     /** Simulation time that a streak or time surface has come to. */
@@ -186,7 +186,7 @@ export interface SurfaceStatus {
     quads: number | null;
     /** Seconds that it may still take. */
     remaining: number | null;
-    /** Says how long people have been waiting. */
+    /** How long people have been waiting. */
     lasting: 'briefly' | 'a while' | 'long';
 }
 

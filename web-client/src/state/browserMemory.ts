@@ -1,4 +1,4 @@
-// Says what this browser keeps between visits: choices of its user, nothing of the flow. Browsers may be told
+// What this browser keeps between visits: choices of its user, nothing of the flow. Browsers may be told
 // to keep nothing.
 
 export function recall(name: string): string | null {

@@ -16,7 +16,7 @@ export interface LatencySample {
     parts: Record<LatencyPart, number>;
 }
 
-/** Describes what is measured of a picture besides when it was there. */
+/** What is measured of a picture besides when it was there. */
 export interface Drawn {
     decodeMs: number;
     drawMs: number;

@@ -15,7 +15,7 @@ export interface PageView {
     bodyTexture?: true;
     /** By surface, what the painter has revealed, as the scene encodes it. */
     masks?: Record<string, string>;
-    /** Holds what is hidden or locked, as encodeVisibility makes it; not there: nothing. */
+    /** What is hidden or locked, as encodeVisibility makes it; not there: nothing. */
     shown?: object;
 }
 
@@ -75,7 +75,7 @@ export function renamedView(
 
 export interface Visibility {
     hiddenRakes: ReadonlySet<string>;
-    /** Holds hidden surfaces of rakes that are shown. */
+    /** Hidden surfaces of rakes that are shown. */
     hiddenSurfaces: ReadonlySet<string>;
     /** Only the chosen rake is shown, with its surfaces. */
     alone: boolean;

@@ -1,4 +1,4 @@
-// Describes how a user wants a surface to look: plain values, kept by this page alone, and by links and
+// How a user wants a surface to look: plain values, kept by this page alone, and by links and
 // bookmarks. What comes back from those may be of strangers or of older versions; whatever is wrong in it
 // becomes the usual.
 import type { SurfaceRecord, ValueRange } from '../protocol/messages.ts';
@@ -43,7 +43,7 @@ export interface SurfaceLook {
     smoke: number;
     silhouettes: boolean;
     lines: LineKind;
-    /** Holds what is left of the surface: all, or lines, ribbons or arrows on it. */
+    /** What is left of the surface: all, or lines, ribbons or arrows on it. */
     pieces: PieceKind;
     /** Lengths: from one to the next, and of ribbons and arrows' heads; null: as the dataset is large. */
     pieceEvery: number | null;
@@ -51,7 +51,7 @@ export interface SurfaceLook {
     density: number;
     texture: boolean;
     animated: boolean;
-    /** Holds what of s and of the age is shown. */
+    /** What of s and of the age is shown. */
     sWindow: Pair | null;
     ageWindow: Pair | null;
     /** Each names the part of the surface it lies on, by s and t. */
@@ -97,7 +97,7 @@ export const usualLook: SurfaceLook = {
 };
 
 const longestName = 200;
-/** Is the number of hidden parts that links and bookmarks keep. */
+/** The number of hidden parts that links and bookmarks keep. */
 export const partsAtMost = 64;
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);

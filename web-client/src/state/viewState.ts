@@ -1,4 +1,4 @@
-// Holds how this page looks at the session: not shared with others but by a link, a bookmark or following.
+// How this page looks at the session: not shared with others but by a link, a bookmark or following.
 // Written by ui/ and session/, read by both.
 import { signal } from '@preact/signals-core';
 import type { Vec3 } from '../protocol/messages.ts';
@@ -6,12 +6,12 @@ import { type AutomaticRanges, type SurfaceLook, usualLook } from './surfaceLook
 import { allShown, type ClipPlanes, noClip, type Visibility } from './pageView.ts';
 import { noUnits, type Units } from './appState.ts';
 
-/** Names what a click on the picture does. */
+/** What a click on the picture does. */
 export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint';
 
 export type Theme = 'system' | 'dark' | 'light';
 
-/** Describes what the probe has found. */
+/** What the probe has found. */
 export interface ProbeReading {
     point: Vec3;
     /** Simulation time. */
@@ -30,7 +30,7 @@ export interface NoteDraft {
     surface: string | null;
 }
 
-/** Describes what the tool `paint` does to the surface under the pointer. */
+/** What the tool `paint` does to the surface under the pointer. */
 export interface Brush {
     does: 'reveal' | 'erase' | 'hidePart';
     radiusPx: number;
@@ -39,11 +39,11 @@ export interface Brush {
 export class ViewState {
     readonly tool = signal<Tool>('none');
     readonly theme = signal<Theme>('system');
-    /** Are the units of lengths and of times, as people of the session say, or else the data. Empty:
+    /** The units of lengths and of times, as people of the session say, or else the data. Empty:
      *  unknown. */
     readonly units = signal<Units>(noUnits);
     readonly orthographic = signal(false);
-    /** Says whether what can be seen through is drawn in its exact order once the picture stands still. */
+    /** Whether what can be seen through is drawn in its exact order once the picture stands still. */
     readonly exactWhenStill = signal(false);
     /** There is shade where things are near each other, once the picture stands still, and in figures. */
     readonly contactShade = signal(true);
@@ -52,24 +52,24 @@ export class ViewState {
     readonly probePlace = signal<Vec3 | null>(null);
     /** The pointer of the probe is where nothing can be seen. */
     readonly probeMissed = signal(false);
-    /** Holds what a tool says beside the pointer, in pixels of the canvas. */
+    /** What a tool says beside the pointer, in pixels of the canvas. */
     readonly besidePointer = signal<{ at: { x: number; y: number }; words: string } | null>(null);
     /** Up to two points. */
     readonly measured = signal<readonly Vec3[]>([]);
     readonly note = signal<NoteDraft | null>(null);
-    /** Holds what was typed into notes and not saved, by note; '' is a new one. */
+    /** What was typed into notes and not saved, by note; '' is a new one. */
     private readonly typedNotes = new Map<string, string>();
     readonly panelFolded = signal(false);
     /** By surface; those that are not in it look as usual. */
     readonly looks = signal<ReadonlyMap<string, SurfaceLook>>(new Map());
-    /** Holds what colours stand for while a film is made, by what they show; null: as the surfaces' values
+    /** What colours stand for while a film is made, by what they show; null: as the surfaces' values
      *  are. */
     readonly fixedRanges = signal<AutomaticRanges | null>(null);
     readonly visibility = signal<Visibility>(allShown);
     readonly clip = signal<ClipPlanes>(noClip);
     /** The flow along the body is shown on it. */
     readonly bodyTexture = signal(false);
-    /** Is the size of a unit of length where the camera looks, once it rests. */
+    /** The size of a unit of length where the camera looks, once it rests. */
     readonly pixelsPerLength = signal(1);
     /** The parts of the selected surface are listed. */
     readonly partsListed = signal(false);

@@ -24,7 +24,7 @@ export class PageBench {
     readonly state = new AppState();
     readonly view = new ViewState();
     readonly calls: Call[] = [];
-    /** Holds what the server says to a method instead, or throws. */
+    /** What the server says to a method instead, or throws. */
     readonly answers: Partial<Record<MethodName, (params: Params) => unknown>> = {};
     readonly worker = answering((method, params) => this.answer(method, params));
     readonly edits: Edits;

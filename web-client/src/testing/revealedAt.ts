@@ -1,4 +1,4 @@
-// Says what a painted mask shows at a place of its surface, as the shader looks it up.
+// What a painted mask shows at a place of its surface, as the shader looks it up.
 import { maskSize, type SurfaceMask } from '../scene/surface/surfaceMask.ts';
 
 export function revealedAt({ texels, tStart, tLength }: SurfaceMask, s: number, t: number): boolean {

@@ -21,7 +21,7 @@ import type { ToolsModel, ViewButtonsModel } from './view/viewButtons.ts';
 import './help/tour.ts';
 import type { TourModel } from './help/tour.ts';
 
-/** Describes what each part of the page takes, by the name of the part. */
+/** What each part of the page takes, by the name of the part. */
 /** Are done with once they are pressed, other than handles of a rake, which arrow keys move. */
 const switches = 'button[aria-pressed]:not(.handle), input[type="checkbox"]';
 

@@ -66,9 +66,9 @@ function exportBody(model: ExportModel): TemplateResult {
     `;
 }
 
-/** Describes what each of its parts takes, by the name of the part. */
+/** What each of its parts takes, by the name of the part. */
 export interface PanelModel {
-    /** Holds what the scripts that are offered below a part are made of. */
+    /** What the scripts that are offered below a part are made of. */
     state: AppState;
     view: ViewState;
     ownCopy: OwnCopy;

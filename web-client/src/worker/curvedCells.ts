@@ -44,7 +44,7 @@ function piecesFor(pixels: number, cells: number): number {
     return Math.max(1, Math.min(wanted, allowed, finest));
 }
 
-/** Describes what two cells share: from one vertex to the next along their outlines, each once. */
+/** What two cells share: from one vertex to the next along their outlines, each once. */
 class Sides {
     readonly ends: number[] = [];
     /** The farthest from its chord that a side is. */
@@ -90,7 +90,7 @@ class Sides {
 }
 
 interface Leaning {
-    /** Is the lean of the chord over its length, along the normals at both ends; 0 where the side stays
+    /** The lean of the chord over its length, along the normals at both ends; 0 where the side stays
      *  straight. */
     lean: readonly [number, number];
     length: number;

@@ -13,7 +13,7 @@ beforeAll(async () => {
     points = await dracoPoints();
 });
 
-/** Describes what a page has that puts every change in its place. */
+/** What a page has that puts every change in its place. */
 class Screen {
     private readonly room = { positions: new Float32Array(9000), normals: new Float32Array(9000) };
     private readonly seeds = new Float32Array(6000);

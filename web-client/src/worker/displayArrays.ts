@@ -23,14 +23,14 @@ export class DisplayArrays {
     private cutRequested = false;
     private unitsRequested = false;
     private unresolvedRequested = false;
-    /** Says whether what was given away last is of curved cells: nothing of it stays. Only take() changes
+    /** Whether what was given away last is of curved cells: nothing of it stays. Only take() changes
      *  it. */
     curved = false;
     private positions = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;
     private cellsCut = 0;
-    /** Holds what has changed since take(). */
+    /** What has changed since take(). */
     private fromVertex = 0;
     private fromNormal = 0;
     private fromSeed = 0;

@@ -196,7 +196,7 @@ function cornerAngle(p: Float32Array, indices: Uint32Array, corner: number): num
 /** Corners of triangles in groups; a corner whose triangle is turned the other way than its group's first has
  *  the sign -1. */
 class CornerGroups {
-    /** Is the sign of the corner whose root was asked for last. */
+    /** The sign of the corner whose root was asked for last. */
     sign = 1;
     private readonly parent: Int32Array;
     /** Against the parent. */

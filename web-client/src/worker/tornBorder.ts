@@ -9,7 +9,7 @@ import { rootsOf } from './parts.ts';
 export interface Trimming {
     /** Has a level for each vertex. */
     levels: Uint8Array;
-    /** Is the number of cells of which something is cut. */
+    /** The number of cells of which something is cut. */
     cells: number;
 }
 

@@ -118,7 +118,7 @@ export interface Triangles {
     vertices: number;
 }
 
-/** Is the value of half a square: 4 (1/2) / (sqrt 3 sqrt 2). */
+/** The value of half a square: 4 (1/2) / (sqrt 3 sqrt 2). */
 const halfSquare = Math.sqrt(2 / 3);
 
 /**

@@ -107,7 +107,7 @@ export class WorkerClient {
         this.post({ type: 'taken', surface });
     }
 
-    /** Says what of a surface is drawn; until told, the speed. */
+    /** What of a surface is drawn; until told, the speed. */
     show(surface: string, wish: ShowWish): void {
         this.post({ type: 'show', surface, ...wish });
     }

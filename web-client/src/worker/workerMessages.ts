@@ -19,7 +19,7 @@ export interface ToWorker {
     obstacleFlow: { id: number; dataset: string; lattice: Lattice; time: number };
     /** A state of this surface is on the screen: the next one may come. */
     taken: { surface: string };
-    /** Says which of the surface's attributes the page wants; of its parts, what is asked here. */
+    /** Which of the surface's attributes the page wants; of its parts, what is asked here. */
     show: { surface: string } & ShowWish;
     /** The surface is no more. */
     forget: { surface: string };
@@ -41,13 +41,13 @@ export interface FromWorker {
     reply: { id: number; result: unknown };
     failure: { id: number; failure: CallFailure };
     notification: { notification: Notification };
-    /** Holds what of a notification the page would not understand, in words. */
+    /** What of a notification the page would not understand, in words. */
     unreadable: { faults: string[] };
     surface: SurfaceState;
     /** Frames of a surface did not fit together; it has to be subscribed again. */
     frameTrouble: { surface: string; subscription: number; reason: string };
     here: object;
-    /** Says how long a message to the server and back takes. */
+    /** How long a message to the server and back takes. */
     roundTrip: { ms: number };
 }
 
@@ -79,7 +79,7 @@ export interface SurfaceState extends TimedMeshChange {
     decodeMs: number;
 }
 
-/** Describes what the page wants of a surface. */
+/** What the page wants of a surface. */
 export interface ShowWish {
     attributes: readonly string[];
     parts: PartsWish | null;
@@ -88,10 +88,10 @@ export interface ShowWish {
     /** Cells of states that stand still are curved: pixels that a unit of length has in the picture. Left
      *  out: flat. */
     curved?: number;
-    /** Says how long units of s and t are, on a surface whose rake is open or closed; left out: no user needs
+    /** How long units of s and t are, on a surface whose rake is open or closed; left out: no user needs
      *  to know. */
     units?: 'open' | 'closed';
-    /** Holds what a fixed grid cannot resolve, which smoke hides. */
+    /** What a fixed grid cannot resolve, which smoke hides. */
     unresolved?: true;
 }
 

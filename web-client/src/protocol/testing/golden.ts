@@ -12,7 +12,7 @@ export interface GoldenVertex {
     attributes: number[];
 }
 
-/** Describes what the C++ decoder made of the frames: of each whole update in turn, and of the last. */
+/** What the C++ decoder made of the frames: of each whole update in turn, and of the last. */
 export interface Golden {
     frames: number;
     lattice: Lattice;

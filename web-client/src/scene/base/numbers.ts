@@ -67,7 +67,7 @@ export function fieldNumber(value: number, resolution: number): string {
     return size !== 0 && size < leastPlain ? exponential(value, typedDigits) : String(value);
 }
 
-/** Describes how labels along a line are written: what they share is said once. */
+/** How labels along a line are written: what they share is said once. */
 export interface LabelForm {
     /** Reads like `×1e-6 +0.1`: a label times this and this more is the number. Empty: labels are the
      *  numbers. */
@@ -151,7 +151,7 @@ export interface Tick {
 
 export interface Ticks {
     ticks: readonly Tick[];
-    /** Holds what all labels share, said once: `×1e−6`, `+5.423e6`. Empty: nothing. */
+    /** What all labels share, said once: `×1e−6`, `+5.423e6`. Empty: nothing. */
     shared: string;
 }
 

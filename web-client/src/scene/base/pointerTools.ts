@@ -1,11 +1,11 @@
-// Decides who gets the pointer on the canvas: tools are asked in turn, and what none of them takes is left to
+// Who gets the pointer on the canvas: tools are asked in turn, and what none of them takes is left to
 // the camera. Listens before the camera controls do, so that the camera stays still while a tool holds the
 // pointer.
 import type { ScreenPoint } from './view.ts';
 
 export interface Pointer {
     at: ScreenPoint;
-    /** Is the time of the event in milliseconds, on performance.now()'s clock. */
+    /** The time of the event in milliseconds, on performance.now()'s clock. */
     time: number;
     shift: boolean;
 }

@@ -21,7 +21,7 @@ export interface Part extends ScreenSize {
 
 export type SceneCamera = PerspectiveCamera | OrthographicCamera;
 
-/** Describes what is drawn beside the surfaces: brought in line with camera and canvas before every frame. */
+/** What is drawn beside the surfaces: brought in line with camera and canvas before every frame. */
 export interface Layer {
     readonly object: Object3D;
     /** True of what people work with, as pointers of others: no part of a figure. */
@@ -34,7 +34,7 @@ export interface Layer {
 export class View {
     readonly camera: SceneCamera;
     readonly size: ScreenSize;
-    /** Holds what of it is drawn at once: less where a picture is drawn in tiles. */
+    /** What of it is drawn at once: less where a picture is drawn in tiles. */
     readonly drawnSize: ScreenSize;
     /** Pixels for one of CSS, along one side. */
     readonly pixelRatio: number;

@@ -73,7 +73,7 @@ void main() {
 export interface WideLinesOptions {
     /** In pixels of CSS. */
     width: number;
-    /** Says whether what is before them hides them. */
+    /** Whether what is before them hides them. */
     hidden: boolean;
     /** Drawn among what is opaque, and so before all that can be seen through. */
     early?: boolean;

@@ -20,7 +20,7 @@ const viewDirections: Record<ViewName, Vec3> = {
     '-z': [0, -0.0005, -1],
 };
 
-/** Is the part of its shorter other side below which a domain is a slab, as of a plane flow. */
+/** The part of its shorter other side below which a domain is a slab, as of a plane flow. */
 const slab = 0.15;
 
 /** From where a slab is seen straight on; nothing for domains that are none. */
@@ -66,7 +66,7 @@ export class CameraControls {
     private placing = false;
     /** No user has moved it since it showed a new domain by itself. */
     private untouched = false;
-    /** Holds what it shows by itself while no user has moved it. */
+    /** What it shows by itself while no user has moved it. */
     private shownPart: Bounds | null = null;
     /** Width of the picture on the page over its height, as `resized` was last told. The cameras' own changes with
      *  what is drawn: a figure, or a frame of the new size before the page tells of it. */
@@ -273,7 +273,7 @@ export class CameraControls {
     }
 }
 
-/** Is a part of the distance to the target: far less than a pixel. */
+/** A part of the distance to the target: far less than a pixel. */
 const leastMovement = 1e-6;
 
 /**

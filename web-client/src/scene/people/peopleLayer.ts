@@ -12,7 +12,7 @@ const nameGapPx = 14;
 const hintInsets = { left: 8, right: 100, top: 48, bottom: 8 };
 const frustumWidthPx = 1.5;
 
-/** Describes what is drawn of one person. */
+/** What is drawn of one person. */
 class Figure {
     readonly object = new Group();
     participant: Participant;
@@ -119,7 +119,7 @@ export class PeopleLayer implements Layer {
     }
 }
 
-/** Says how far its far side is, as a share of the way to the target. */
+/** How far its far side is, as a share of the way to the target. */
 const reach = 0.25;
 const aspect = 1.6;
 const openingWithoutPerspective = 12;
@@ -168,7 +168,7 @@ export function frustumSegments({ position, target, up, fov }: CameraPlace): Vec
     return segments;
 }
 
-/** Says how far from the edges, in CSS pixels. */
+/** How far from the edges, in CSS pixels. */
 export interface Insets {
     left: number;
     right: number;
@@ -178,7 +178,7 @@ export interface Insets {
 
 export interface EdgeHint {
     at: ScreenPoint;
-    /** Says how far along what the insets leave, from the left and from the top: words held there by the same
+    /** How far along what the insets leave, from the left and from the top: words held there by the same
      *  share of theirs lie in it. */
     share: ScreenPoint;
     /** On the screen, to the right and down; of length 1. */

@@ -17,7 +17,7 @@ import { isOrthographic, type View } from '../base/view.ts';
 import type { Handle } from './rakeHandles.ts';
 import { distance } from './rakeShape.ts';
 
-/** Holds what a handle looks like. */
+/** What a handle looks like. */
 const marks = { point: 0, middle: 1, rotate: 2, tilt: 3, dot: 4 } as const;
 export type Mark = keyof typeof marks;
 
@@ -31,7 +31,7 @@ export interface HandleSprite {
     colour?: string;
 }
 
-/** Is the opacity of what is behind something. */
+/** The opacity of what is behind something. */
 const hiddenOpacity = 0.42;
 /** Nearer to the eye by so much, so that what a handle stands on does not hide half of it. */
 const liftPx = 14;

@@ -84,11 +84,11 @@ export interface CurveStyle {
     opacity: number;
     /** Length of a dash with its gap in pixels; 0: unbroken. */
     dashPx: number;
-    /** Is the width of the white line on both sides, inside the dark edge; 0: none. */
+    /** The width of the white line on both sides, inside the dark edge; 0: none. */
     haloPx: number;
 }
 
-/** Is the opacity of the part behind something: it shows through, faint and dashed. */
+/** The opacity of the part behind something: it shows through, faint and dashed. */
 const hiddenOpacity = 0.5;
 const hiddenDashPx = 7;
 

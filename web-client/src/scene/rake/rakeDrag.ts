@@ -36,7 +36,7 @@ export interface Drag {
 export interface Snap {
     /** Keep to an axis: to this one, or to the one that the movement is nearest to. */
     axis: Axis | 'nearest' | null;
-    /** Is the spacing of the grid; null: no grid. */
+    /** The spacing of the grid; null: no grid. */
     step: number | null;
 }
 
@@ -46,7 +46,7 @@ export interface Dragged {
     at: Vec3;
     /** Kept to, and from where. */
     axis: { axis: Axis; from: Vec3 } | null;
-    /** Holds what the snapping does, in words. */
+    /** What the snapping does, in words. */
     words: string;
 }
 

@@ -29,7 +29,7 @@ export interface RakeInteractionOptions {
     onHold: (held: boolean) => void;
 }
 
-/** Describes what the user may do with rakes, and what becomes of it. */
+/** What the user may do with rakes, and what becomes of it. */
 export interface RakeUser {
     /** Returns whether rakes can be changed, now. */
     mayMove: () => boolean;
@@ -55,12 +55,12 @@ const noOne: RakeUser = {
 };
 
 export class RakeInteraction implements PointerTool {
-    /** Is the spacing of the grid that dragged points are held to; null: none. */
+    /** The spacing of the grid that dragged points are held to; null: none. */
     step: number | null = null;
     private readonly options: RakeInteractionOptions;
     private user = noOne;
     private drag: Drag | null = null;
-    /** Is the axis of the arrow that is dragged. */
+    /** The axis of the arrow that is dragged. */
     private axis: Axis | null = null;
     private moved = false;
     private nudged = false;

@@ -19,7 +19,7 @@ import {
 } from './rakeHandles.ts';
 import { circleOf, curveOf, distance, dot, middleOf, minus, normalOf, plus, type RakeShape, times, unit } from './rakeShape.ts';
 
-/** Describes what is shown while a handle is moved. */
+/** What is shown while a handle is moved. */
 export interface Guide {
     held: HeldHandle;
     axis: { axis: Axis; from: Vec3 } | null;

@@ -147,7 +147,7 @@ export type Range = readonly [number, number];
 
 type Rgb = [number, number, number];
 
-/** Holds what a logarithmic range reaches down to where it would begin at 0 or below, as a part of its upper
+/** What a logarithmic range reaches down to where it would begin at 0 or below, as a part of its upper
  *  end. */
 const leastLogarithmic = 1e-3;
 

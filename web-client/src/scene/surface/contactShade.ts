@@ -20,9 +20,9 @@ import {
 } from 'three';
 import { drawDepth, fullScreen } from './renderPasses.ts';
 
-/** Is the layer of what is shaded, and shades: neither rakes nor words. */
+/** The layer of what is shaded, and shades: neither rakes nor words. */
 export const shadedLayer = 1;
-/** Says how far it reaches, in pixels of CSS: less than the margin of tiles, and the same in figures of all
+/** How far it reaches, in pixels of CSS: less than the margin of tiles, and the same in figures of all
  *  sizes. */
 export const furthestPx = 20;
 const nearestPx = 2;
@@ -71,7 +71,7 @@ export class ContactShade {
     private readonly pairs = { value: 0 };
     private readonly inside = { value: new Vector4() };
     private readonly perspective = { value: true };
-    /** Holds the camera's depths of the near and the far plane. */
+    /** The camera's depths of the near and the far plane. */
     private readonly planes = { value: new Vector2() };
     private readonly pixelsPerUnit = { value: 1 };
     private target: WebGLRenderTarget | null = null;

@@ -38,7 +38,7 @@ export class DrawnBody {
     /** It may come before the body does. */
     private flow: Float32Array | null = null;
     private moving = false;
-    /** Is the texture that its programs have. */
+    /** The texture that its programs have. */
     private texture: FlowTexture = 'none';
 
     constructor(surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>) {

@@ -51,7 +51,7 @@ export function smearedNoise(moving: boolean): Uint8Array<ArrayBuffer> {
     return bytes;
 }
 
-/** Says how far away in the padded noise, and with what weight. */
+/** How far away in the padded noise, and with what weight. */
 type Tap = readonly [offset: number, weight: number];
 
 /** @param grain  so many numbers are a grain */
@@ -123,7 +123,7 @@ function paddedNoise(grain: number): Float32Array {
 }
 
 /**
- * Says how often its own length a wave wanders before the next takes over, at least; at most twice as often.
+ * How often its own length a wave wanders before the next takes over, at least; at most twice as often.
  * Over a longer way differences in speed would take a wave apart. Where the flow is half as fast it may take
  * twice as long, so slow places move too; where one time becomes the other, both waves have gone a whole
  * number of lengths, and there is no seam.

@@ -1,4 +1,4 @@
-// Says what picking finds under the pointer, and how it is asked.
+// What picking finds under the pointer, and how it is asked.
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { ScreenPoint } from '../base/view.ts';
 
@@ -8,7 +8,7 @@ export interface PickHit {
     point: Vec3;
     s: number;
     t: number;
-    /** Holds what the surface is coloured by. */
+    /** What the surface is coloured by. */
     scalar: number;
     /** From the eye; without perspective, from the plane of the camera. */
     distance: number;

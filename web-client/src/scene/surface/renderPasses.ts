@@ -65,7 +65,7 @@ export function drawDepth(renderer: WebGLRenderer, scene: Scene, camera: Camera,
     scene.onBeforeRender = prepare;
 }
 
-/** Is a part of the domain's diagonal: as deep as the flat quads of a surface reach into what is round. */
+/** A part of the domain's diagonal: as deep as the flat quads of a surface reach into what is round. */
 export const bodyPush = 1 / 500;
 
 /** Belongs to a vertex shader, to be called when gl_Position is set. */

@@ -13,7 +13,7 @@ import { noPlanes, sharedUniforms, SurfaceMaterials, SurfaceTextures } from './s
 import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
 import { Transparency } from './transparency.ts';
 
-/** Says how many times its length a mask that was brought may be away. */
+/** How many times its length a mask that was brought may be away. */
 const farthestMask = 4096;
 
 type Range = [number, number];
@@ -28,17 +28,17 @@ export interface DrawnSurface {
     splats: Splats | null;
 }
 
-/** Describes what a surface spans, as it is drawn. */
+/** What a surface spans, as it is drawn. */
 export interface SurfaceSpan {
-    /** Holds what both ends of the colours stand for. */
+    /** What both ends of the colours stand for. */
     colours: Range;
     t: Range;
     s: Range;
-    /** Is the age of what is shown now, the same as t but for streak surfaces. */
+    /** The age of what is shown now, the same as t but for streak surfaces. */
     age: Range;
-    /** Says how it is drawn now; a wish may still wait for what it shows. */
+    /** How it is drawn now; a wish may still wait for what it shows. */
     style: SurfaceStyle;
-    /** Is what it should be coloured by, and has no values of, so that it has one colour; empty: nothing. */
+    /** What it should be coloured by, and has no values of, so that it has one colour; empty: nothing. */
     lacks: string;
 }
 
@@ -48,7 +48,7 @@ export class SurfaceLayer {
     readonly shared = sharedUniforms();
     /** Planes (n, w) that cut the body: nothing is left where n . point > w. */
     readonly bodyClip = { value: noPlanes() };
-    /** Says how much further from the eye the body is drawn, in depth alone. */
+    /** How much further from the eye the body is drawn, in depth alone. */
     readonly bodyPush = { value: 0 };
     readonly transparency = new Transparency(this.shared.depthRange.value, this.shared);
     readonly shade = new ContactShade();
@@ -56,7 +56,7 @@ export class SurfaceLayer {
     private readonly styles = new Map<string, SurfaceStyle>();
     /** Masks, or their codes, for surfaces that are not painted, or not there, at the moment. */
     private readonly wishedMasks = new Map<string, string | SurfaceMask>();
-    /** Says how often the painter has changed something. */
+    /** How often the painter has changed something. */
     strokes = 0;
     private clipped = false;
 

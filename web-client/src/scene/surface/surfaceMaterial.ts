@@ -109,12 +109,12 @@ export function makeNoise(texture: FlowTexture, shared: SharedUniforms, textures
     if (texture === 'flowing') shared.waves.value = textures.noise(true);
 }
 
-/** Describes what a style needs to know of the mesh. */
+/** What a style needs to know of the mesh. */
 export interface MeshFacts {
     time: number;
     scalarRange: readonly [number, number];
     tRange: readonly [number, number];
-    /** Holds what t is counted from in the shaders. */
+    /** What t is counted from in the shaders. */
     tFrom: number;
     hasStretch: boolean;
     hasFlow: boolean;
@@ -139,7 +139,7 @@ export class SurfaceMaterials {
     readonly blended: ShaderMaterial;
     readonly peeled: ShaderMaterial;
     readonly pick: ShaderMaterial;
-    /** Holds what is drawn as the two ends of the colours. */
+    /** What is drawn as the two ends of the colours. */
     range: [number, number] = [0, 1];
     ages: [number, number] = [0, 1];
     private texture: FlowTexture = 'none';

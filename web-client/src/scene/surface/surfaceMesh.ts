@@ -23,7 +23,7 @@ export const stretchName = 'deformation';
 /** Name the components of the velocity, which the flow texture follows. */
 export const flowNames = ['velocity_x', 'velocity_y', 'velocity_z'] as const;
 
-/** Names what a buffer holds; those that are not always there are made when first filled. */
+/** What a buffer holds; those that are not always there are made when first filled. */
 const kinds = {
     position: { size: 3, array: Float32Array },
     normal: { size: 3, array: Float32Array },
@@ -46,9 +46,9 @@ export class SurfaceMesh {
     wantedScalar = 'speed';
     time = 0;
     vertices = 0;
-    /** Is the range of all values so far, since the buffers were last filled from the start. */
+    /** The range of all values so far, since the buffers were last filled from the start. */
     scalarRange: Range = emptyRange();
-    /** Holds what t is counted from in its buffer: MeshChange.tFrom. */
+    /** What t is counted from in its buffer: MeshChange.tFrom. */
     tFrom = 0;
     private seenT: Range = emptyRange();
     private vertexCapacity = 0;

@@ -1,4 +1,4 @@
-// Says how one surface is to be drawn, with everything resolved that the shader cannot know.
+// How one surface is to be drawn, with everything resolved that the shader cannot know.
 import type { ColourMapName } from './colourMap.ts';
 
 /** Where the number behind the colour comes from; 'scalar': from the server, the others are made from s and
@@ -53,7 +53,7 @@ export interface SurfaceStyle {
     /** Stripes and texture: 1 as usual, 2 twice as many. */
     density: number;
     texture: boolean;
-    /** Says whether it moves: with the time that is shown, since `from`; or by itself, in a field that stands
+    /** Whether it moves: with the time that is shown, since `from`; or by itself, in a field that stands
      *  still. */
     textureMoves: 'no' | 'withTime' | 'byItself';
     /** When the surface begins. */

@@ -38,7 +38,7 @@ export interface TransparentMaterials {
 export class Transparency {
     /** Belongs into the scene. */
     readonly object = new Group();
-    /** Says whether the next picture has everything in its exact order, which costs several times as much. */
+    /** Whether the next picture has everything in its exact order, which costs several times as much. */
     exact = false;
     private readonly scene = new Scene();
     private readonly materials = new Map<Mesh, TransparentMaterials>();
@@ -145,7 +145,7 @@ export class Transparency {
     }
 }
 
-/** Is the number of layers that are drawn in their order. */
+/** The number of layers that are drawn in their order. */
 const peeledLayers = 4;
 
 /** For the materials of what is peeled. */

@@ -8,7 +8,7 @@ import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 
 const edits = new Set<MethodName>(['annotation.set', 'annotation.delete', 'bookmark.set', 'bookmark.delete']);
 
-/** Describes what names an act of the user's, and counts it once the server has taken it. */
+/** What names an act of the user's, and counts it once the server has taken it. */
 export interface Acts {
     begin: () => string;
     taken: (gesture: string) => void;

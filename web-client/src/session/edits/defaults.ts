@@ -103,7 +103,7 @@ function extent(bounds: Bounds, axis: Axis): number {
 
 type Level = { field: string; level: number };
 
-/** Holds what surfaces have, and not the data. */
+/** What surfaces have, and not the data. */
 const ofSurfaces = ['deformation', 'approximated', 'error'];
 
 export function levelFields({ surfaceFields, fields }: DatasetDescription): string[] {

@@ -35,7 +35,7 @@ export type RakeChange = Partial<Pick<RakeEdit, 'shape' | 'seeds' | 'name' | 'co
 interface OneRake {
     window: EditWindow<RakeEdit>;
     newest: RakeEdit;
-    /** Is the revision of the record that the newest answer spoke of; 0 after a refusal. */
+    /** The revision of the record that the newest answer spoke of; 0 after a refusal. */
     answeredRev: number;
     refused: boolean;
 }
@@ -54,7 +54,7 @@ export interface RakeEditsOptions {
 }
 
 export class RakeEdits {
-    /** Is the number of seeds of the active rake, ahead of its record. */
+    /** The number of seeds of the active rake, ahead of its record. */
     readonly seeds = signal(0);
     private readonly options: RakeEditsOptions;
     private readonly edited = new Map<string, OneRake>();

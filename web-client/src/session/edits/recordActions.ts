@@ -13,7 +13,7 @@ type Edit = 'rake.set' | 'rake.delete' | 'surface.set' | 'surface.delete';
 type CallOne = <M extends Edit>(method: M, params: ParamsOf<M>) => Promise<ResultOf<M>>;
 type Choose = (what: { rake: string } | { surface: string }) => void;
 
-/** Describes what names an act of the user's, and what counts it. */
+/** What names an act of the user's, and what counts it. */
 interface Acts {
     gestures: Gestures;
     history: UndoHistory;

@@ -22,7 +22,7 @@ interface SurfaceEdit {
 interface OneSurface {
     window: EditWindow<SurfaceEdit>;
     last: SurfaceSetting | null;
-    /** Is the revision of the record that the newest answer spoke of; 0 after a refusal. */
+    /** The revision of the record that the newest answer spoke of; 0 after a refusal. */
     answeredRev: number;
 }
 
@@ -38,11 +38,11 @@ export interface SurfaceEditsOptions {
 }
 
 export class SurfaceEdits {
-    /** Is what the controls show of the active surface. */
+    /** What the controls show of the active surface. */
     readonly intent = signal<SurfaceIntent | null>(null);
     private readonly options: SurfaceEditsOptions;
     private readonly edited = new Map<string, OneSurface>();
-    /** Holds what became of the last change where it is not just what was asked for: told at the controls. */
+    /** What became of the last change where it is not just what was asked for: told at the controls. */
     readonly remark = signal<string | null>(null);
     private intentOf = '';
     /** The record that the intent shows; null where the intent is ahead. */

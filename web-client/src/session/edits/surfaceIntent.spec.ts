@@ -115,7 +115,7 @@ describe('fulfils', () => {
     });
 });
 
-describe('settingAnew', () => {
+describe('settingForRecovery', () => {
     it('asks for all the record says, but for its identity, on the new rakes', () => {
         const patch: SurfaceRecord = { ...record, kind: 'time', rake2: 'r2', angle: 5 };
         const rakes = new Map([

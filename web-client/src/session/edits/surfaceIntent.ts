@@ -1,4 +1,4 @@
-// Says what the user wants of a surface, and the setting of the server that comes nearest to it.
+// What the user wants of a surface, and the setting of the server that comes nearest to it.
 import type {
     Accuracy,
     DatasetDescription,
@@ -29,16 +29,16 @@ export interface SurfaceIntent {
     interpolation: Interpolation;
     /** Off: a grid that stays as the rake begins it. */
     refine: Refine;
-    /** Holds what is carried along for colouring, beside the speed. */
+    /** What is carried along for colouring, beside the speed. */
     fields: readonly string[];
-    /** Says how long a streak surface is released for; null: until it is shown. */
+    /** How long a streak surface is released for; null: until it is shown. */
     released: number | null;
-    /** Says how old a particle gets; null: as old as it may. */
+    /** How old a particle gets; null: as old as it may. */
     life: number | null;
     /** Where the patch of a time surface ends: the rake swept along this, or another rake. */
     sweep: Vec3 | null;
     rake2: string | null;
-    /** Holds what a level surface is a level set of, and where. */
+    /** What a level surface is a level set of, and where. */
     field: string | null;
     level: number | null;
 }

@@ -4,7 +4,7 @@
 import type { Direction, SurfaceKind } from '../../protocol/messages.ts';
 import { rounding, shortNumber } from '../../scene/base/numbers.ts';
 
-/** Are the parts of a surface's intent that its times depend on. */
+/** The parts of a surface's intent that its times depend on. */
 interface Times {
     kind: SurfaceKind;
     from: number;
@@ -40,7 +40,7 @@ export function endOf(wanted: Times, times: readonly number[], steady: boolean):
 export interface TypedTime {
     /** Null: it says nothing that could be done. */
     change: Partial<Times> | null;
-    /** Holds what of it could not be so, and why; null: nothing. */
+    /** What of it could not be so, and why; null: nothing. */
     remark: string | null;
 }
 
@@ -86,7 +86,7 @@ export function cutBackAt(wanted: Times, times: readonly number[], steady: boole
 
 export interface Adapted<Intent> {
     intent: Intent;
-    /** Holds what was changed beside what the user has changed, and why; null: nothing. */
+    /** What was changed beside what the user has changed, and why; null: nothing. */
     remark: string | null;
 }
 

@@ -18,7 +18,7 @@ export class UndoHistory {
     private readonly undone = signal<readonly (TurnAlong | null)[]>([]);
     readonly undoable = computed(() => this.done.value.length);
     readonly redoable = computed(() => this.undone.value.length);
-    /** Holds what the last step came to, for people. */
+    /** What the last step came to, for people. */
     readonly words = signal('');
     /** Grows with every turn that is asked for: what goes on by itself stops then. */
     readonly turns = signal(0);

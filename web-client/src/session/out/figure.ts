@@ -15,7 +15,7 @@ export class Figure {
     readonly bar = signal(true);
     readonly axes = signal(true);
     readonly rake = signal(false);
-    /** Says whether a picture that shows a surface before it is final says so. */
+    /** Whether a picture that shows a surface before it is final says so. */
     readonly coarse = signal(true);
     /** The last one that was drawn had no room for it. */
     barLeftOut = false;

@@ -25,7 +25,7 @@ export interface FilmSetting extends ScreenSize {
     seconds: number;
     /** Writes the time into the picture. */
     time: boolean;
-    /** Is the unit of the time; empty: none. */
+    /** The unit of the time; empty: none. */
     unit: string;
 }
 

@@ -55,7 +55,7 @@ export interface ScriptedPage {
     unfinished(time: number | null): string;
     /** Returns a PNG as an address of data. Error: in words. */
     picture(setting: ScriptedSetting): string;
-    /** Says whether the last picture had no room for the scalar bar. */
+    /** Whether the last picture had no room for the scalar bar. */
     readonly barLeftOut: boolean;
 }
 

@@ -8,7 +8,7 @@ export interface MeshFile {
     format: MeshFormat;
     /** Belongs to a .glb: false for programs that cannot read Draco. */
     draco?: false;
-    /** Holds what is shown now, where that is not final yet. */
+    /** What is shown now, where that is not final yet. */
     now?: true;
     /** Lines, ribbons or arrows instead of the mesh. */
     lines?: string;
@@ -35,7 +35,7 @@ export class ScriptVariable {
 
 export interface CallStep {
     method: string;
-    /** Are the parameters as JSON has them, without `session`; at the top level a KeptId may stand for an
+    /** The parameters as JSON has them, without `session`; at the top level a ScriptVariable may stand for an
      *  id. */
     params: object;
     /** Keeps the member of the answer that is named like the record (`rake` of rake.set) under this name. */

@@ -15,7 +15,7 @@ const lookAgainMs = 1000;
 /** Patches reach the page that caused them before or after their answer. */
 const echoMs = 1000;
 const thumbnailSize = { width: 320, height: 200 };
-/** Is the largest picture that the server keeps, in bytes. */
+/** The largest picture that the server keeps, in bytes. */
 export const mostBytes = 24 << 10;
 const qualities = [0.85, 0.7, 0.5, 0.3];
 /** So the server does not know the method, or does not want one from here. */

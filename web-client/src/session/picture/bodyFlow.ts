@@ -19,7 +19,7 @@ export interface BodyFlowOptions {
 
 const about = 'body flow';
 
-/** Describes what is wanted: the same again is not asked for twice. */
+/** What is wanted: the same again is not asked for twice. */
 interface Wish {
     key: string;
     time: number;

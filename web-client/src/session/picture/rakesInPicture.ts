@@ -39,7 +39,7 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
     });
 }
 
-/** Says why there is nothing to see where an empty surface of the rake would be. Empty: there is
+/** Why there is nothing to see where an empty surface of the rake would be. Empty: there is
  *  something. */
 function whyNothing({ displayed, outcomes, surfaces }: AppState, rake: string): string {
     for (const { surface, rake: its } of surfaces.value.values()) {

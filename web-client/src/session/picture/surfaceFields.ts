@@ -22,7 +22,7 @@ export interface FieldsWanted {
     missing: string[];
 }
 
-/** Holds what goes first where there is no room: of one of these, nothing is left without the others. */
+/** What goes first where there is no room: of one of these, nothing is left without the others. */
 const dispensable: readonly (readonly string[])[] = [normalNames, [deformation], flowNames];
 
 /** Returns what a look cannot be drawn without. */

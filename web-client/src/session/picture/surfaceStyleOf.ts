@@ -26,7 +26,7 @@ export interface StyleFacts {
     rake: RakeRecord | undefined;
     dataset: DatasetDescription | null;
     speedRange: readonly [number, number];
-    /** Holds the ranges of fields for which the user has chosen none, by meaningOf(). */
+    /** The ranges of fields for which the user has chosen none, by meaningOf(). */
     automatic: AutomaticRanges;
     /** They are those of a film. */
     fixed: boolean;

@@ -16,7 +16,7 @@ export function isNotFound(error: unknown): boolean {
 
 export class SessionJoin {
     private readonly worker: Pick<WorkerClient, 'call'>;
-    /** Is the session of the address, then the one that this page is in. */
+    /** The session of the address, then the one that this page is in. */
     session: string | null;
     resumeToken: string | undefined;
 
@@ -69,9 +69,9 @@ export class SessionJoin {
 
 export interface KnownSession {
     session: string;
-    /** Is the time that the server says; empty where it says none. */
+    /** The time that the server says; empty where it says none. */
     created: string;
-    /** Is the dataset that was shown there. */
+    /** The dataset that was shown there. */
     dataset: string;
 }
 

@@ -35,15 +35,15 @@ export class SessionList {
     readonly sessions = signal<readonly SessionEntry[] | null>(null);
     readonly trash = signal<readonly SessionEntry[] | null>(null);
     readonly limits = signal<Limits | null>(null);
-    /** Says how many more can be made. */
+    /** How many more can be made. */
     readonly remaining = computed(() => {
         const [limits, sessions] = [this.limits.value, this.sessions.value];
         return limits === null || sessions === null ? null : Math.max(0, limits.sessions - sessions.length);
     });
-    /** Says whether the page came by a share link, which is for its own session only. */
+    /** Whether the page came by a share link, which is for its own session only. */
     readonly ownOnly = computed(() => !(this.sessions.value ?? []).some(({ session }) => session === 'main'));
     readonly problems = new Announcements();
-    /** Holds what has been done, and what came of it. */
+    /** What has been done, and what came of it. */
     readonly notices = new Announcements();
     readonly busy = signal(false);
     private readonly options: SessionListOptions;

@@ -23,13 +23,13 @@ export interface SurfaceFeedOptions {
 export class SurfaceFeed {
     private readonly options: SurfaceFeedOptions;
     private readonly subscribed = new Set<string>();
-    /** Holds what the server calls a subscription that it has agreed to. */
+    /** What the server calls a subscription that it has agreed to. */
     private readonly agreed = new Map<string, number>();
     /** Would be subscribed if they were not hidden. */
     private readonly hidden = new Set<string>();
     /** Each builds on the one before, so all are drawn; the worker keeps them few. */
     private readonly waiting = new Map<string, SurfaceState[]>();
-    /** Says how often in a row the frames of a surface did not fit together. */
+    /** How often in a row the frames of a surface did not fit together. */
     private readonly troubles = new Map<string, number>();
 
     constructor(options: SurfaceFeedOptions) {

@@ -11,7 +11,7 @@ import type { Calls } from '../base/calls.ts';
 import type { SurfaceIntent } from '../edits/surfaceIntent.ts';
 import { timeWords, withUnit } from '../picture/writtenNumbers.ts';
 
-/** Is the time in milliseconds up to which there is no bar. */
+/** The time in milliseconds up to which there is no bar. */
 const patienceMs = 500;
 /** From then on people ask how far it is, and later what they could have instead. */
 const tellMs = 3000;
@@ -26,9 +26,9 @@ export interface SurfaceProgressOptions {
     calls: Pick<Calls, 'try'>;
 }
 
-/** Describes what the server tells of its work. */
+/** What the server tells of its work. */
 export type ReportedProgress = Pick<SurfaceStatus, 'fraction' | 'message' | 'time' | 'quads' | 'remaining'> & {
-    /** Says how long it has been at work. */
+    /** How long it has been at work. */
     seconds: number | null;
 };
 

@@ -42,7 +42,7 @@ export interface StepMark {
     first: number;
     last: number;
     state: StepState;
-    /** Is the part of its bytes in memory, 0 to 1. */
+    /** The part of its bytes in memory, 0 to 1. */
     resident: number;
     loading: number;
 }

@@ -14,7 +14,7 @@ export interface ClockControlOptions {
 export class ClockControl {
     private readonly options: ClockControlOptions;
     private readonly window: EditWindow<number | null>;
-    /** Holds what this page has set, ahead of the server, and what the server had told before. */
+    /** What this page has set, ahead of the server, and what the server had told before. */
     private ahead: ClockRecord | null = null;
     private announced: ClockRecord | null = null;
 

@@ -18,11 +18,11 @@ export interface KindChoice {
     playback: Pick<Playback, 'time'>;
 }
 
-/** Is what makes it another kind that is shown at a time. */
+/** What makes it another kind that is shown at a time. */
 interface Times {
     from: number;
     length: number;
-    /** Is the time of the picture, afterwards. */
+    /** The time of the picture, afterwards. */
     shown: number;
 }
 

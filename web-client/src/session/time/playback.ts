@@ -1,4 +1,4 @@
-// Says what play, pause, step and scrub mean for the surface that is being worked on. One that moves is shown
+// What play, pause, step and scrub mean for the surface that is being worked on. One that moves is shown
 // at the session's clock, which runs on the server for every user; of a stream surface the field is frozen at
 // a time-step, and this page moves that on, one time-step after the other, when the picture of the last one
 // is there.
@@ -59,7 +59,7 @@ export class Playback {
         return state.times.value.length > 1 ? 'frozen' : 'none';
     });
 
-    /** Is the span of the surface, or of all time-steps for a stream surface: the earlier end first, also
+    /** The span of the surface, or of all time-steps for a stream surface: the earlier end first, also
      *  where time runs backward. */
     readonly span = computed((): Span => {
         const [a, b] = this.ends.value;
@@ -84,7 +84,7 @@ export class Playback {
         return [intent.from, endOf(intent, state.times.value, state.dataset.value?.steady ?? false)];
     });
 
-    /** Is the time of the picture. */
+    /** The time of the picture. */
     readonly time = computed((): number => {
         const { state, edits } = this.options;
         if (this.mode.value !== 'clock') return edits.intent.value?.from ?? Number.NaN;

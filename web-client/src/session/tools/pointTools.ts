@@ -46,7 +46,7 @@ export class Probing implements PointerTool {
     private next: Vec3 | null = null;
     private under: Pointer | null = null;
     private held = false;
-    /** Says how often there was nothing to probe: an answer that was asked for before that is not shown. */
+    /** How often there was nothing to probe: an answer that was asked for before that is not shown. */
     private missed = 0;
 
     constructor(options: ProbingOptions) {

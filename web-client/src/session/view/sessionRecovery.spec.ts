@@ -8,7 +8,7 @@ import { recoverSession } from './sessionRecovery.ts';
 const rake = (id: string, seeds = 8): RakeRecord => rakeOf(id, { seeds });
 const surface = (id: string, of: string, more: object = {}): SurfaceRecord => surfaceOf(id, { rake: of, to: 1, ...more });
 
-/** Names what it makes n1, n2, ...; takes no rake with fewer than two seeds. */
+/** What it makes n1, n2, ...; takes no rake with fewer than two seeds. */
 function serverThat(fails: CallError) {
     const asked: Record<string, unknown>[] = [];
     const worker = answering((method, params) => {

@@ -87,7 +87,7 @@ export async function recoverSession(
     return { rakes, surfaces, missing: refusals.words };
 }
 
-/** Describes what could not be made, by its kind, and the first reason. */
+/** What could not be made, by its kind, and the first reason. */
 class Refusals {
     private readonly counts = new Map<string, number>();
     private why = '';

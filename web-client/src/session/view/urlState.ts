@@ -72,7 +72,7 @@ export interface LinkState {
 
 /** Longer addresses are cut by mail programs and chats; the records are left out then. */
 const longestJson = 4500;
-/** Is the number of significant digits below one; of other numbers, after the point. */
+/** The number of significant digits below one; of other numbers, after the point. */
 const digits = 6;
 
 export function encodeLinkState({ view, rakes, surfaces }: LinkState): string {
@@ -104,7 +104,7 @@ function savedSurface({ rev: _rev, epoch: _epoch, ...setting }: SurfaceRecord): 
     return setting;
 }
 
-/** Holds what a link does not have: counters are the server's, and a link that was made before may lack what
+/** What a link does not have: counters are the server's, and a link that was made before may lack what
  *  came since. */
 const rakeRest = { name: '', colour: '#0072b2', author: '', clipped: false, dragging: false };
 const surfaceRest = { ...surfaceDefaults, direction: 'forward', separation: 0 };

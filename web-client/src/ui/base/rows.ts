@@ -10,7 +10,7 @@ import { leaveKeys } from './keyboard.ts';
 
 const axes = ['x', 'y', 'z'] as const;
 
-/** Names what a box needs beside its words: an id, and why it is there. */
+/** What a box needs beside its words: an id, and why it is there. */
 export interface CheckOptions {
     id?: string;
     title?: string;

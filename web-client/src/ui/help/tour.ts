@@ -9,7 +9,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { isInFrame } from '../view/room.ts';
 
-/** Describes what the steps look at to see what the user has done. */
+/** What the steps look at to see what the user has done. */
 export interface TourFacts {
     state: Pick<AppState, 'rakes' | 'dataset' | 'times' | 'clock' | 'participants'>;
     view: Pick<ViewState, 'looks'>;
@@ -29,7 +29,7 @@ export interface TourStep {
     done: (facts: TourFacts, before: TourStart) => boolean;
 }
 
-/** Describes how things stood when the step began. */
+/** How things stood when the step began. */
 export interface TourStart {
     rakeRevisions: string;
     pose: string;

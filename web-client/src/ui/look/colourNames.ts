@@ -1,4 +1,4 @@
-// Names what a surface can be coloured by, and the colour maps.
+// What a surface can be coloured by, and the colour maps.
 import type { DatasetDescription, SurfaceKind } from '../../protocol/messages.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import {

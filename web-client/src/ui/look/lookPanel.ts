@@ -46,7 +46,7 @@ export class BodyPanel extends ModelElement<BodyModel> {
 
 customElements.define('wakesurf-body', BodyPanel);
 
-/** Describes what its groups take: all of them are about the same surface. */
+/** What its groups take: all of them are about the same surface. */
 export type LookModel = ColourModel & OpacityModel & LinesModel & WindowsModel & ClipModel & BodyModel & PaintModel;
 
 export class LookPanel extends ModelElement<LookModel> {

@@ -43,7 +43,7 @@ export const lookStyles = css`
     }
 `;
 
-/** Describes what a group takes whose settings are those of the selected surface. */
+/** What a group takes whose settings are those of the selected surface. */
 export interface LookGroupModel {
     state: Pick<AppState, 'activeSurface'>;
     view: Pick<ViewState, 'changeLook' | 'lookOf'>;

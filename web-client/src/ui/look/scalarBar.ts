@@ -27,7 +27,7 @@ const rangeWords = {
 /** More would cover the picture. */
 const barsAtMost = 4;
 
-/** Describes what a bar shows, of all surfaces that it is true of. */
+/** What a bar shows, of all surfaces that it is true of. */
 interface Bar {
     title: string;
     span: SurfaceSpan;

@@ -13,7 +13,7 @@ beforeEach(async () => {
     panel = await ShownPanel.of('wakesurf-rake', Object.assign(bench, { scene: { interaction, rakes: {} } }));
 });
 
-/** Holds what is said, by what it is about. */
+/** What is said, by what it is about. */
 const said = () => bench.state.problems.all.value;
 const points = () => bench.rakes[0]!.points;
 

@@ -128,9 +128,9 @@ export interface RakeModel {
 }
 
 export class RakePanel extends ModelElement<RakeModel> {
-    /** Holds what the buttons act on. */
+    /** What the buttons act on. */
     private readonly chosen = signal<Handle>(0);
-    /** Is the point of a rake with many points whose numbers are shown. */
+    /** The point of a rake with many points whose numbers are shown. */
     private readonly shownPoint = signal(1);
     private readonly stepIndex = signal(0);
     private readonly snapping = signal(false);
@@ -164,7 +164,7 @@ export class RakePanel extends ModelElement<RakeModel> {
         </fieldset>${this.why()}`;
     }
 
-    /** Says why the rake is where the server suggests one. */
+    /** Why the rake is where the server suggests one. */
     private why(): TemplateResult | typeof nothing {
         const { suggestion } = this.model.state;
         const same = suggestion.value?.rake.points.every((point, i) => String(point) === String(this.points[i])) ?? false;

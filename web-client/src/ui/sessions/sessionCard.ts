@@ -5,7 +5,7 @@ import type { SessionEntry } from '../../protocol/messages.ts';
 import { isolated } from '../../state/announcements.ts';
 import { agoWords, dayWords } from '../base/words.ts';
 
-/** Describes what is asked about a session before it is done. */
+/** What is asked about a session before it is done. */
 export type Question = 'rename' | 'delete' | 'forever';
 
 export interface CardActs {

@@ -8,7 +8,7 @@ import './banner.ts';
 
 let bench: PageBench;
 let banner: ShownPanel;
-/** Holds what has been asked for by its buttons. */
+/** What has been asked for by its buttons. */
 let asked: string[];
 const left = signal(false);
 

@@ -21,7 +21,7 @@ beforeEach(async () => {
 const surface = () => bench.surfaces[0]!;
 const status = (): string | null => panel.get<HTMLElement>('dd > [role=status]').textContent;
 
-/** Tells what the server has counted on the state that is shown. */
+/** What the server has counted on the state that is shown. */
 async function counted(change: Partial<SurfaceStats>): Promise<void> {
     const stats = { ...sampleStatistics({ surface: 'surface-1' }), ...change };
     bench.state.outcomes.value = new Map([['surface-1', stats]]);

@@ -201,7 +201,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         return { longest, dataEnd: false };
     }
 
-    /** Says where that is early: such a surface is small by the data, not by the flow. */
+    /** Where that is early: such a surface is small by the data, not by the flow. */
     private shortData(left: number): string {
         const stream = this.model.state.suggestion.value?.surfaces.find(({ kind }) => kind === 'stream');
         const usual = stream === undefined ? 0 : stream.to - stream.from;

@@ -19,12 +19,12 @@ export interface ReleaseModel {
 
 interface Span {
     id: string;
-    /** Is the id of the box that leaves it at its longest, and what it says. */
+    /** The id of the box that leaves it at its longest, and what it says. */
     box: string;
     label: string;
     title: string;
     words: string;
-    /** Holds what the slider stands for, and its words. */
+    /** What the slider stands for, and its words. */
     shown: number | null;
     longest: number;
     says: (value: number) => string;

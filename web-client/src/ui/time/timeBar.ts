@@ -109,7 +109,7 @@ const timeBarStyles = css`
 
 export type TimeKey = 'toggle' | 'back' | 'forward';
 
-/** Describes what of a key press matters here; KeyboardEvent has it. */
+/** What of a key press matters here; KeyboardEvent has it. */
 export type KeyPress = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'altKey' | 'metaKey' | 'defaultPrevented'>;
 
 /**
@@ -136,7 +136,7 @@ const spaceTakers =
 
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
-/** Holds what the release is to a surface of each kind. */
+/** What the release is to a surface of each kind. */
 const released: Partial<Record<SurfaceKind, string>> = {
     path: 'released at',
     streak: 'released from',

@@ -158,7 +158,7 @@ interface Slider {
     at: number;
     disabled: boolean;
     label: string;
-    /** Holds what it says of where it is. */
+    /** What it says of where it is. */
     words: string;
     title?: string;
     moved: (event: Event) => void;
@@ -406,7 +406,7 @@ export class Timeline extends ModelElement<TimelineModel> {
 /** Lowest edge of the marks, and how high they are. */
 const markBase = 33;
 const markHeight = 10;
-/** Is the height of what is there at all, however little. */
+/** The height of what is there at all, however little. */
 const leastHeight = 1.5;
 
 function heightOf(share: number): number {
