@@ -2,7 +2,7 @@
 import { source as axeSource } from 'axe-core';
 import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
 interface Findings {
     /** What is wrong, the first place where, and why. */
@@ -20,7 +20,7 @@ const findings = (rules: readonly string[]): string => `axe.run({
     passes: passes.length,
 }))`;
 
-const stand = useStand();
+const rig = useTestRig();
 
 /** Through the debugger, past the content security policy of the page. */
 async function expectNoFindings(page: Page, where: string): Promise<void> {
@@ -36,7 +36,7 @@ async function expectNoFindings(page: Page, where: string): Promise<void> {
 }
 
 it('the page has no violation on any tab and in no dialog, in both colour schemes', async () => {
-    const page = await stand.visit({ firstVisit: true });
+    const page = await rig.visit({ firstVisit: true });
     await page.evaluate(axeSource);
     await expectNoFindings(page, 'tour');
     await page.getByRole('button', { name: 'Skip the tour' }).click();
@@ -53,8 +53,8 @@ it('the page has no violation on any tab and in no dialog, in both colour scheme
     await page.getByRole('dialog').waitFor();
     await expectNoFindings(page, 'help');
     await page.getByRole('button', { name: 'Close' }).click();
-    const { session } = await stand.server.call('session.create', { name: 'Deleted' });
-    await stand.server.call('session.delete', { session });
+    const { session } = await rig.server.call('session.create', { name: 'Deleted' });
+    await rig.server.call('session.delete', { session });
     await page.getByRole('button', { name: 'Sessions' }).click();
     await page.getByRole('list', { name: 'Sessions on this server' }).waitFor();
     await expectNoFindings(page, 'sessions');
@@ -64,7 +64,7 @@ it('the page has no violation on any tab and in no dialog, in both colour scheme
 });
 
 it('the time controls come before the settings for whoever goes by keyboard, and a switch that is on is seen in high contrast', async () => {
-    const page = await stand.visit();
+    const page = await rig.visit();
     const name = (): Promise<string | null> =>
         page.evaluate(() => {
             let at = document.activeElement;

@@ -4,18 +4,18 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { RakeRecord, Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 1440, height: 900 });
+    page = await rig.visit({ width: 1440, height: 900 });
 });
 
 async function recordedRake(): Promise<RakeRecord> {
     const session = await ask(page, (hook) => hook.session);
-    return ((await stand.server.call('rake.list', { session }))['rakes'] as RakeRecord[])[0]!;
+    return ((await rig.server.call('rake.list', { session }))['rakes'] as RakeRecord[])[0]!;
 }
 
 describe('an arrow of the rake', () => {
@@ -81,7 +81,7 @@ describe('a rake behind the body', () => {
                 [x, -0.3, 1],
                 [x, -0.3, 5],
             ];
-            await stand.server.call('rake.set', { session, rake: rake.rake, kind: 'line', points, seeds: 8 });
+            await rig.server.call('rake.set', { session, rake: rake.rake, kind: 'line', points, seeds: 8 });
             await expect.poll(() => ask(page, (hook) => hook.rakePoints[0]![0])).toBe(x);
             await page.evaluate(() => window.wakesurf!.setCamera([-30, 0, 3], [0, 0, 3]));
             return page.evaluate((place) => {

@@ -3,9 +3,9 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { newContext, openPage } from './support/browser_page.ts';
 import { linkTo, readGallery, settled } from './support/gallery_scene.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand(['flow:sphere']);
+const rig = useTestRig(['flow:sphere']);
 const scene = readGallery().scenes.find(({ name }) => name === 'tearing')!;
 
 /** Round a place, places one pixel apart in rows: 2 is a surface, 1 the body, 0 nothing. */
@@ -24,8 +24,8 @@ function seenRound(page: Page, centre: readonly [number, number, number], radius
 let page: Page;
 
 beforeAll(async () => {
-    const context = await newContext(stand.browser, { width: 1100, height: 620 });
-    page = await openPage(context, await linkTo(stand.server, scene));
+    const context = await newContext(rig.browser, { width: 1100, height: 620 });
+    page = await openPage(context, await linkTo(rig.server, scene));
     await settled(page);
 });
 

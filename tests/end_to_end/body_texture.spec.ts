@@ -4,16 +4,16 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { degreesOff, type Ground, lightAround, momentsAround, places, shiftRatio } from './support/grain.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand(['flow:sphere']);
+const rig = useTestRig(['flow:sphere']);
 const label = 'Show the flow along the body';
 
 /** A page on a dataset, with what is in the look of its body. */
 async function open(dataset: string): Promise<{ page: Page; session: string }> {
-    const { session } = (await stand.server.call('session.create', { name: dataset })) as { session: string };
-    const link = `${stand.server.link}&session=${session}&dataset=${dataset}`;
-    const page = await openPage(await newContext(stand.browser, { width: 1100, height: 760 }), link);
+    const { session } = (await rig.server.call('session.create', { name: dataset })) as { session: string };
+    const link = `${rig.server.link}&session=${session}&dataset=${dataset}`;
+    const page = await openPage(await newContext(rig.browser, { width: 1100, height: 760 }), link);
     await finalSurface(page);
     await page.getByRole('tab', { name: 'Look' }).click();
     await page.locator('#body-group summary').click();
@@ -29,8 +29,8 @@ describe('the flow texture of a body', () => {
     it('has its grain along the flow within 5 degrees on at least 95 % of what is seen, and is in the link', async () => {
         const { page, session } = await open('sphere');
         // What is in the way of the body.
-        const { rakes } = (await stand.server.call('rake.list', { session })) as { rakes: { rake: string }[] };
-        for (const { rake } of rakes) await stand.server.call('rake.delete', { session, rake });
+        const { rakes } = (await rig.server.call('rake.list', { session })) as { rakes: { rake: string }[] };
+        for (const { rake } of rakes) await rig.server.call('rake.delete', { session, rake });
         await page.waitForFunction(() => window.wakesurf!.allDisplayed.length === 0);
         const ground: Ground = { of: 'body', near: 0.02, across: 0.08 };
         await textured(page, true);
@@ -61,7 +61,7 @@ describe('the flow texture of a body', () => {
         await page.locator('#body-group summary').click();
         await page.evaluate(() => window.wakesurf!.setCamera([-1.5, -4, 3.4], [0, 0, 3]));
         const shownAt = async (time: number): Promise<void> => {
-            await stand.server.call('time.set', { session, time });
+            await rig.server.call('time.set', { session, time });
             await page.waitForFunction((at) => Math.abs(window.wakesurf!.displayed!.time - at) < 1e-6, time);
             await page.waitForFunction(() => window.wakesurf!.unfinished(null) === '');
         };

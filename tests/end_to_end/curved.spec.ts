@@ -3,9 +3,9 @@ import type { Page } from 'playwright-core';
 import { expect, it } from 'vitest';
 import { ask, newContext, openPage } from './support/browser_page.ts';
 import { linkTo, type Scene, settled } from './support/gallery_scene.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand(['flow:lamb-oseen']);
+const rig = useTestRig(['flow:lamb-oseen']);
 
 /** Twisted: particles at radius r turn by (1 - exp(-r r / 0.09)) / (r r) while they drift by a half. */
 const scene: Scene = {
@@ -43,8 +43,8 @@ async function distance(page: Page): Promise<number> {
 }
 
 it('a surface that stands still is nearer to the exact one with curved cells; its numbers stay, and so does what it says', async () => {
-    const context = await newContext(stand.browser, { width: 780, height: 520 });
-    const page = await openPage(context, await linkTo(stand.server, scene));
+    const context = await newContext(rig.browser, { width: 780, height: 520 });
+    const page = await openPage(context, await linkTo(rig.server, scene));
     await settled(page);
     const flat = {
         ...(await ask(page, (hook) => hook.displayed))!,

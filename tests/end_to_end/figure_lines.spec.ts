@@ -4,13 +4,13 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask } from './support/browser_page.ts';
 import { pixelsOf } from './support/figure_download.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 900, height: 520 });
+    page = await rig.visit({ width: 900, height: 520 });
 });
 
 interface Wanted {

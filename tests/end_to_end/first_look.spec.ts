@@ -2,9 +2,9 @@
 import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { ask, finalSurface } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand(['flow:tornado', 'flow:double-gyre']);
+const rig = useTestRig(['flow:tornado', 'flow:double-gyre']);
 const size = { width: 1000, height: 700 };
 
 /** Parts of the picture's width and height that the surface takes. */
@@ -29,7 +29,7 @@ async function open(page: Page, dataset: string): Promise<void> {
 
 describe('the first picture', () => {
     it('is filled by the surface, in flows of which that is a small part too, which have no body to show the flow along', async () => {
-        const page = await stand.visit(size);
+        const page = await rig.visit(size);
         const largest = ({ width, height }: { width: number; height: number }): number => Math.max(width, height);
         expect(largest(await filled(page))).toBeGreaterThan(0.55);
         for (const dataset of ['tornado', 'double-gyre']) {

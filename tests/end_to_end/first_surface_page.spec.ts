@@ -3,13 +3,13 @@ import type { Page } from 'playwright-core';
 import { beforeAll, expect, it } from 'vitest';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { dragHandle } from './support/rake_drag.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 1280, height: 800 });
+    page = await rig.visit({ width: 1280, height: 800 });
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
 });
 
@@ -161,7 +161,7 @@ it('saves a picture and a mesh, offers a film, and copies a script', async () =>
 it('opens the same view again by its address, and has links for other people', async () => {
     await page.waitForFunction(() => location.hash.includes('state='));
     const { position } = await camera();
-    const again = await stand.open(page, page.url());
+    const again = await rig.open(page, page.url());
     await expect
         .poll(async () => Math.hypot(...(await ask(again, (hook) => hook.camera.position)).map((x, i) => x - position[i]!)))
         .toBeLessThan(0.1);

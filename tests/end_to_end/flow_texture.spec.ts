@@ -4,14 +4,14 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { finalSurface } from './support/browser_page.ts';
 import { degreesOff, type Ground, momentsAround, places } from './support/grain.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 const ground: Ground = { of: 'surface', near: 0.05, across: 0.6 };
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 1100, height: 760 });
+    page = await rig.visit({ width: 1100, height: 760 });
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
     await finalSurface(page);

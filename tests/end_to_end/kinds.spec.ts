@@ -3,13 +3,13 @@
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { ask, finalSurface } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 780, height: 520 });
+    page = await rig.visit({ width: 780, height: 520 });
 });
 
 async function choose(kind: string): Promise<void> {

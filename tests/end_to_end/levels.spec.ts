@@ -3,18 +3,18 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { SurfaceRecord, SurfaceStats } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 780, height: 560 });
+    page = await rig.visit({ width: 780, height: 560 });
 });
 
 async function record(): Promise<SurfaceRecord> {
     const session = await ask(page, (hook) => hook.session);
-    const { surfaces } = (await stand.server.call('surface.list', {
+    const { surfaces } = (await rig.server.call('surface.list', {
         session,
     })) as { surfaces: SurfaceRecord[] };
     return surfaces[0]!;
@@ -49,7 +49,7 @@ describe('a level set', () => {
         const range = page.locator('#level-range');
         await range.waitFor();
         const session = await ask(page, (hook) => hook.session);
-        const stats = (await stand.server.call('surface.stats', {
+        const stats = (await rig.server.call('surface.stats', {
             session,
             surface: first.surface,
         })) as unknown as SurfaceStats;
@@ -79,7 +79,7 @@ describe('a level set', () => {
         });
         expect(typed.level).toBe(0.6);
         const ends = await ask(page, (hook) => hook.displayed!.stateSum);
-        await stand.server.call('time.set', { session, time: 10 });
+        await rig.server.call('time.set', { session, time: 10 });
         await page.waitForFunction(() => window.wakesurf?.displayed?.time === 10);
         expect(await ask(page, (hook) => hook.displayed!.stateSum)).not.toBe(ends);
 

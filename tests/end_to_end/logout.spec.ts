@@ -1,18 +1,18 @@
 // Leaving for good: what ends in this browser, and what goes on elsewhere.
 import { describe, expect, it } from 'vitest';
 import { ask, entered, newContext, openPage } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 const size = { width: 780, height: 420 };
 describe('logging out', () => {
     it('ends all windows of this browser, and no one else’s', async () => {
-        const host = await openPage(await newContext(stand.browser, size), await stand.server.newSession());
+        const host = await openPage(await newContext(rig.browser, size), await rig.server.newSession());
         const session = await entered(host);
-        const context = await newContext(stand.browser, size);
-        const page = await openPage(context, `${stand.server.link}&session=${session}`);
+        const context = await newContext(rig.browser, size);
+        const page = await openPage(context, `${rig.server.link}&session=${session}`);
         await entered(page);
-        const beside = await openPage(context, `${new URL('/', stand.server.link).href}#session=${session}`);
+        const beside = await openPage(context, `${new URL('/', rig.server.link).href}#session=${session}`);
         await entered(beside);
         await page.getByRole('tab', { name: 'Share' }).click();
         await page.getByRole('button', { name: 'Log out' }).click();

@@ -7,22 +7,22 @@ import type { SurfaceRecord, SurfaceStats } from '../../web-client/src/protocol/
 import { ask, finalSurface } from './support/browser_page.ts';
 import { chooseFigure, pixelsOf, savedFigure } from './support/figure_download.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 let before: SurfaceRecord;
 
 async function record(): Promise<SurfaceRecord> {
     const session = await ask(page, (hook) => hook.session);
-    const { surfaces } = await stand.server.call('surface.list', { session });
+    const { surfaces } = await rig.server.call('surface.list', { session });
     return (surfaces as SurfaceRecord[])[0]!;
 }
 
 async function set(change: Partial<SurfaceRecord>): Promise<void> {
     const session = await ask(page, (hook) => hook.session);
     const { rev: _rev, epoch: _epoch, ...all } = { ...before, ...change } as SurfaceRecord & { epoch?: number };
-    await stand.server.call('surface.set', { ...all, session });
+    await rig.server.call('surface.set', { ...all, session });
 }
 
 /** A streak surface to the end of the data, as fine as nobody needs it. */
@@ -35,7 +35,7 @@ async function beginLongPass(): Promise<void> {
 const offers = (): ReturnType<Page['getByRole']> => page.getByRole('group', { name: 'Instead of waiting' });
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 1000, height: 800 });
+    page = await rig.visit({ width: 1000, height: 800 });
     before = await record();
     await page.clock.install();
 });
@@ -54,14 +54,14 @@ describe('a long pass', () => {
         await page.getByText('Stopped before it was final').waitFor();
         await page.getByText(/stopped by guest 1/).waitFor();
         const session = await ask(page, (hook) => hook.session);
-        const stats = await stand.server.call('surface.stats', { session, surface: before.surface });
+        const stats = await rig.server.call('surface.stats', { session, surface: before.surface });
         expect(stats).toMatchObject({ complete: false, error: { kind: 'cancelled' } });
         expect(await ask(page, (hook) => hook.displayed!.cells)).toBeGreaterThan(100);
         await page.getByRole('button', { name: 'Compute it again' }).click();
         const bar = page.getByRole('progressbar', { name: 'Surface' });
         await bar.waitFor();
         await set({});
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
         await expect.poll(() => bar.count()).toBe(0);
     });
 
@@ -69,7 +69,7 @@ describe('a long pass', () => {
         await page.clock.fastForward(10_000);
         const session = await ask(page, (hook) => hook.session);
         const stats = async (): Promise<SurfaceStats> =>
-            (await stand.server.call('surface.stats', { session, surface: before.surface })) as unknown as SurfaceStats;
+            (await rig.server.call('surface.stats', { session, surface: before.surface })) as unknown as SurfaceStats;
         const earlier = await stats();
         const waiting = page.waitForEvent('download');
         await offers().getByRole('button', { name: 'As it is now' }).click();

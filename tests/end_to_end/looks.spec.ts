@@ -20,7 +20,7 @@ import {
 } from './support/look_facts.ts';
 import { serverStats } from './support/server_mesh.ts';
 import { ServerProcess, temporaryFolder } from './support/server_process.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
 /** 8 x 8 x 8 points: the flow along x, and a field that is x. */
 const slab = `<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
@@ -29,11 +29,11 @@ const slab = `<VTKFile type="ImageData" version="1.0" byte_order="LittleEndian">
 <DataArray type="Float32" Name="place" format="ascii">${'0 1 2 3 4 5 6 7 '.repeat(64)}</DataArray>
 </PointData></Piece></ImageData></VTKFile>`;
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 860, height: 560 });
+    page = await rig.visit({ width: 860, height: 560 });
     // From the side, near enough that the surface fills the picture.
     await page.evaluate(() => window.wakesurf!.setCamera([4, -16, 7], [3.5, 0, 2.8]));
     await page.getByRole('tab', { name: 'Look' }).click();
@@ -121,7 +121,7 @@ describe('colours', () => {
         await expect.poll(scalarBar).toMatch(/^Colours: Stretching/);
         await drawn();
         const session = await ask(page, (hook) => hook.session);
-        const record = (await stand.server.call('session.state', { session })) as {
+        const record = (await rig.server.call('session.state', { session })) as {
             snapshot?: unknown;
         };
         expect(JSON.stringify(record)).toMatch(new RegExp(`"fields":\\[[^\\]]*"${field}"`));
@@ -149,7 +149,7 @@ describe('colours', () => {
         );
         await expect.poll(scalarBar).toMatch(/^Colours: Estimated error .*, logarithmic, of this surface$/);
         await drawn();
-        const error99 = (await serverStats(stand.server, page)).error99!;
+        const error99 = (await serverStats(rig.server, page)).error99!;
         const errors = (await ask(page, (hook) => hook.vertices(1).map(({ scalar }) => scalar))).sort((a, b) => a - b);
         const most = errors.at(-1)!;
         expect(Math.abs(errors[Math.ceil(0.99 * (errors.length - 1))]! - error99)).toBeLessThanOrEqual(most / 65_535);

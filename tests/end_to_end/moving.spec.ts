@@ -3,9 +3,9 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { ask } from './support/browser_page.ts';
 import { handleIsAt, takeHandle } from './support/rake_drag.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 
 const ratio = (page: Page): Promise<number> => ask(page, (hook) => hook.pixelRatio);
 
@@ -17,7 +17,7 @@ async function atRest(page: Page): Promise<void> {
 describe('a picture that moves', () => {
     it('has fewer pixels while a handle is dragged, all of them when the hand rests, and the handle stays under the pointer', async () => {
         // So large that no software draws it in the time that a movement leaves for a picture.
-        const page = await stand.visit({ width: 1800, height: 1100 });
+        const page = await rig.visit({ width: 1800, height: 1100 });
         await atRest(page);
         const from = await takeHandle(page, 'middle');
         const ratios: number[] = [];
@@ -38,7 +38,7 @@ describe('a picture that moves', () => {
     });
 
     it('has fewer pixels from the first turn of the wheel on, and picks and saves as at rest', async () => {
-        const page = await stand.visit();
+        const page = await rig.visit();
         await atRest(page);
         const size = page.viewportSize()!;
         const middle = { x: (size.width - 304) / 2, y: size.height / 2 };

@@ -4,20 +4,20 @@ import { afterEach, beforeEach, describe, expect, it } from 'vitest';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { allowLostConnections } from './support/complaints.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeEach(async () => {
-    page = await stand.visit({ width: 900, height: 480, link: await stand.networkLink() });
+    page = await rig.visit({ width: 900, height: 480, link: await rig.networkLink() });
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
     await finalSurface(page);
 });
 
 afterEach(async () => {
-    stand.network.mend();
+    rig.network.mend();
     await page.context().close();
 });
 
@@ -79,12 +79,12 @@ describe('a streak surface', () => {
         for (let tries = 1, short = false; !short; ++tries) {
             expect(tries).toBeLessThan(6);
             await playsOn(await played(), 5);
-            const fellBehind = await stand.metric('wakesurf_catching_up_total');
+            const fellBehind = await rig.metric('wakesurf_catching_up_total');
             const begun = performance.now();
-            stand.network.cut();
+            rig.network.cut();
             await page.waitForFunction(() => window.wakesurf?.connection !== 'open');
             const before = await played();
-            stand.network.mend();
+            rig.network.mend();
             // What was under way may still have been drawn: news of the new connection count, and before it nothing can be clicked.
             await page.waitForFunction(() => window.wakesurf?.connection === 'open');
             await page.waitForFunction(
@@ -95,10 +95,10 @@ describe('a streak surface', () => {
             short =
                 performance.now() - begun < 4000 &&
                 after.time > before.time &&
-                (await stand.metric('wakesurf_catching_up_total')) === fellBehind;
+                (await rig.metric('wakesurf_catching_up_total')) === fellBehind;
             if (short) expect(after.keys).toBe(before.keys);
         }
         await page.getByRole('button', { name: 'Pause' }).click();
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
     });
 });

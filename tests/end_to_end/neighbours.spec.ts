@@ -7,9 +7,9 @@ import WebSocket from 'ws';
 import { subprotocol } from '../../web-client/src/protocol/messages.ts';
 import { entered, finalSurface, newContext, openPage } from './support/browser_page.ts';
 import { expectComplaint } from './support/complaints.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 const size = { width: 780, height: 420 };
 let neighbour: Server;
 /** What the browser has asked the other program for. */
@@ -58,10 +58,10 @@ async function opens(origin: string, headers: Record<string, string>): Promise<b
 
 describe('another program on another port of the same host', () => {
     it('is sent nothing by a browser that is logged in here, with which it could come in, and its page can neither ask nor join', async () => {
-        const page = await openPage(await newContext(stand.browser, size), await stand.server.newSession());
+        const page = await openPage(await newContext(rig.browser, size), await rig.server.newSession());
         await entered(page);
         const { origin } = new URL(page.url());
-        const count = ((await stand.server.call('session.list', {}))['sessions'] as unknown[]).length;
+        const count = ((await rig.server.call('session.list', {}))['sessions'] as unknown[]).length;
         const other = await page.context().newPage();
         asked.length = 0;
         await other.goto(neighbourAt(page));
@@ -73,7 +73,7 @@ describe('another program on another port of the same host', () => {
         expect(received).not.toHaveProperty('cookie');
         expect(await statuses(origin, received)).toEqual([401, 401, 401, 401, 401, 401]);
         expect(await opens(origin, received)).toBe(false);
-        expect((await stand.server.call('session.list', {}))['sessions']).toHaveLength(count);
+        expect((await rig.server.call('session.list', {}))['sessions']).toHaveLength(count);
         // The page's own login does open all that: else this shows nothing.
         const stored = await page.evaluate(() => sessionStorage.getItem('wakesurf.logins /'));
         const [{ login }] = JSON.parse(stored!) as [{ login: string }];
@@ -103,7 +103,7 @@ describe('another program on another port of the same host', () => {
 
 describe('a browser that is told to keep nothing', () => {
     it('is let in by its link all the same', async () => {
-        const context = await newContext(stand.browser, size);
+        const context = await newContext(rig.browser, size);
         await context.addInitScript(() => {
             for (const name of ['localStorage', 'sessionStorage']) {
                 Object.defineProperty(window, name, {
@@ -113,7 +113,7 @@ describe('a browser that is told to keep nothing', () => {
                 });
             }
         });
-        const page = await openPage(context, stand.server.link);
+        const page = await openPage(context, rig.server.link);
         await finalSurface(page);
         await context.close();
     });

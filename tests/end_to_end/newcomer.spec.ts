@@ -1,14 +1,14 @@
 // What a first visitor meets beside the tour: several datasets and their bodies, a phone.
 import { describe, expect, it } from 'vitest';
 import { ask, finalSurface } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand(['flow:sphere']);
+const rig = useTestRig(['flow:sphere']);
 const size = { width: 800, height: 500 };
 
 describe('a server with several datasets', () => {
     it('offers them, and shows the body of a flow by formula where it is', async () => {
-        const page = await stand.visit(size);
+        const page = await rig.visit(size);
         const first = await ask(page, (hook) => hook.session);
         const open = page.getByRole('button', { name: 'Open', exact: true });
         await open.waitFor();
@@ -70,7 +70,7 @@ describe('a server with several datasets', () => {
 
 describe('on a phone', () => {
     it('the settings have room under their tabs, and no button lies over another', async () => {
-        const page = await stand.visit({ width: 390, height: 844 });
+        const page = await rig.visit({ width: 390, height: 844 });
         const buttons = page.locator('main button');
         const boxes = await Promise.all((await buttons.all()).map((button) => button.boundingBox()));
         const shown = boxes.filter((box) => box !== null);

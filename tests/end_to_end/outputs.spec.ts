@@ -10,17 +10,17 @@ import type { ClockRecord, RakeRecord, SurfaceRecord } from '../../web-client/sr
 import { ask, finalSurface } from './support/browser_page.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
 import { temporaryFolder } from './support/server_process.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
 const run = promisify(execFile);
-const stand = useStand();
+const rig = useTestRig();
 const work = temporaryFolder();
 let page: Page;
 
 afterAll(() => work.remove());
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 900, height: 520 });
+    page = await rig.visit({ width: 900, height: 520 });
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
 });
 
@@ -57,7 +57,7 @@ async function changed(change: () => Promise<unknown>): Promise<void> {
 
 async function records(): Promise<{ clock: ClockRecord; rakes: RakeRecord[]; surfaces: SurfaceRecord[] }> {
     const session = await ask(page, (hook) => hook.session);
-    return (await stand.server.call('session.state', { session })) as never;
+    return (await rig.server.call('session.state', { session })) as never;
 }
 
 describe('a picture', () => {
@@ -143,7 +143,7 @@ describe('a picture', () => {
         const session = await ask(page, (hook) => hook.session);
         const { surface, rake, dataset, kind, from, to, separation } = (await records()).surfaces[0]!;
         const coarse = { surface, rake, dataset, kind, from, to, separation: 3 * separation };
-        await changed(() => stand.server.call('surface.set', { session, ...coarse }));
+        await changed(() => rig.server.call('surface.set', { session, ...coarse }));
         await page.getByRole('tab', { name: 'Look' }).click();
         await page.locator('#opacity').evaluate((slider: HTMLInputElement) => {
             slider.value = '0.5';
@@ -187,7 +187,7 @@ describe('a film', () => {
         await page.getByRole('tab', { name: 'Flow' }).click();
         await changed(() => page.getByRole('radio', { name: 'Streak' }).check());
         const session = await ask(page, (hook) => hook.session);
-        await stand.server.call('time.set', { session, time: 10 });
+        await rig.server.call('time.set', { session, time: 10 });
         await page.waitForFunction(() => window.wakesurf!.displayed!.time === 10);
         await toExport();
         await chooseSize('film', 320, 240);
@@ -246,7 +246,7 @@ describe('a film', () => {
 });
 
 describe('a script', () => {
-    const environment = (): NodeJS.ProcessEnv => ({ ...process.env, WAKESURF_TOKEN: stand.server.token });
+    const environment = (): NodeJS.ProcessEnv => ({ ...process.env, WAKESURF_TOKEN: rig.server.token });
     /** After what its first lines say is to be done. */
     const runPython = async (text: string) => {
         await runShell(/^# +(curl .*)$/m.exec(text)![1]!);
@@ -257,7 +257,7 @@ describe('a script', () => {
         await page.locator(`${within} wakesurf-copy-as`).getByRole('button', { name: language }).click();
         await page.locator(within).getByText(`Copied as ${language}`).waitFor();
         const text = await page.evaluate(() => navigator.clipboard.readText());
-        expect(text).not.toContain(stand.server.token);
+        expect(text).not.toContain(rig.server.token);
         return text;
     };
     /** Without what the server adds to each record. */
@@ -286,7 +286,7 @@ describe('a script', () => {
             expect(asked(made)).toEqual(asked(before.surfaces[0]!));
             const rake = after.rakes.find((each) => each.rake === made.rake)!;
             expect(placed(rake)).toEqual(placed(before.rakes[0]!));
-            await stand.server.call('rake.delete', {
+            await rig.server.call('rake.delete', {
                 session: await ask(page, (hook) => hook.session),
                 rake: made.rake,
             });
@@ -299,14 +299,14 @@ describe('a script', () => {
             ['Python', runPython, 11.5],
             ['curl', runShell, 12],
         ] as const) {
-            await stand.server.call('time.set', { session, time });
+            await rig.server.call('time.set', { session, time });
             await page.waitForFunction((at) => window.wakesurf!.displayed!.time === at, time);
             const text = await copied('wakesurf-time-bar', language);
-            await stand.server.call('time.set', { session, time: 9 });
+            await rig.server.call('time.set', { session, time: 9 });
             await runs(text);
             expect((await records()).clock.time).toBe(time);
         }
-        await stand.server.call('time.set', { session, time: null });
+        await rig.server.call('time.set', { session, time: null });
         await toExport();
         await page.locator('#mesh-format').selectOption('ply');
         const { bytes } = await saved('#download-mesh');

@@ -3,9 +3,9 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { Participant, Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 const size = { width: 900, height: 560 };
 let host: Page;
 let guest: Page;
@@ -19,14 +19,14 @@ async function linkToEdit(): Promise<string> {
 }
 
 beforeAll(async () => {
-    host = await stand.visit(size);
+    host = await rig.visit(size);
     await host.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));
-    guest = await stand.visit({ ...size, link: await linkToEdit() });
+    guest = await rig.visit({ ...size, link: await linkToEdit() });
 });
 
 async function participantsOf(page: Page): Promise<Participant[]> {
     const session = await ask(page, (hook) => hook.session);
-    return (await stand.server.call('session.state', { session }))['participants'] as Participant[];
+    return (await rig.server.call('session.state', { session }))['participants'] as Participant[];
 }
 
 /** The colour of a participant as it is drawn. */
@@ -189,7 +189,7 @@ describe('notes', () => {
         await host.getByRole('button', { name: 'Save' }).click();
         await guest.getByRole('listitem').filter({ hasText: 'Tears here' }).waitFor();
         const session = await ask(host, (hook) => hook.session);
-        const { annotations } = (await stand.server.call('annotation.list', { session })) as {
+        const { annotations } = (await rig.server.call('annotation.list', { session })) as {
             annotations: { position: Vec3 }[];
         };
         const seen = (await host.evaluate((point) => window.wakesurf!.project(point), annotations[0]!.position))!;

@@ -3,13 +3,13 @@ import type { Page } from 'playwright-core';
 import { describe, expect, it } from 'vitest';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { showFacts } from './support/page_facts.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 async function visit(width: number, height: number): Promise<void> {
-    const context = await stand.browser.newContext({
+    const context = await rig.browser.newContext({
         viewport: { width, height },
         hasTouch: true,
         isMobile: true,
@@ -17,7 +17,7 @@ async function visit(width: number, height: number): Promise<void> {
     });
     await showFacts(context);
     page = await context.newPage();
-    await page.goto(await stand.server.newSession());
+    await page.goto(await rig.server.newSession());
     await finalSurface(page);
     await page.getByRole('region', { name: 'Tour' }).waitFor();
 }

@@ -3,15 +3,15 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { ask } from './support/browser_page.ts';
 import { hueOf } from './support/look_facts.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
 type Rgb = [number, number, number];
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit();
+    page = await rig.visit();
 });
 
 function isBackground([r, g, b]: Rgb): boolean {

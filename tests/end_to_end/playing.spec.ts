@@ -4,13 +4,13 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 860, height: 700 });
+    page = await rig.visit({ width: 860, height: 700 });
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
     // Half a minute from the end, where the loop starts again with nothing to be seen.
@@ -51,7 +51,7 @@ describe('a streak surface', () => {
         expect(later.keys - begun.keys).toBeLessThan(later.deltas - begun.deltas);
         expect(later.time).not.toBe(begun.time);
         await page.getByRole('button', { name: 'Pause' }).click();
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
         await page.waitForFunction(() => window.wakesurf!.pixelRatio === 1);
     });
 });

@@ -8,18 +8,18 @@ import { framesPass } from './support/frames.ts';
 import { handleIsAt, takeHandle } from './support/rake_drag.ts';
 import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit();
+    page = await rig.visit();
 });
 
 describe('the page', () => {
     it('shows the final surface of the default rake and hides the token', async () => {
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
         expect(page.url()).not.toContain('token');
         expect(page.url()).toContain('session=');
     });
@@ -38,11 +38,11 @@ describe('the page', () => {
         }
         await page.mouse.up();
         expect(await ask(page, (hook) => hook.camera)).toEqual(camera);
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
         const after = await ask(page, (hook) => hook.displayed);
         expect(after?.stateSum).not.toBe(before?.stateSum);
         const session = await ask(page, (hook) => hook.session);
-        const { rakes } = (await stand.server.call('rake.list', { session })) as { rakes: { points: Vec3[] }[] };
+        const { rakes } = (await rig.server.call('rake.list', { session })) as { rakes: { points: Vec3[] }[] };
         expectSamePoints(rakes[0]?.points, await ask(page, (hook) => hook.rakePoints));
         expect(await ask(page, (hook) => hook.latencySamples.length)).toBeGreaterThan(0);
     });
@@ -71,11 +71,11 @@ describe('the keyboard', () => {
         await page.getByRole('slider', { name: 'Time of the frozen field' }).focus();
         for (let i = 0; i < 5; ++i) await page.keyboard.press('ArrowLeft');
         await page.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, before!.epoch);
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
         const after = await ask(page, (hook) => hook.displayed);
         expect(after?.stateSum).not.toBe(before?.stateSum);
         const session = await ask(page, (hook) => hook.session);
-        const list = await stand.server.call('surface.list', { session });
+        const list = await rig.server.call('surface.list', { session });
         expect((list['surfaces'] as { from: number }[])[0]?.from).toBeCloseTo(13.5);
     });
 });

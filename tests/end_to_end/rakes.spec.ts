@@ -7,9 +7,9 @@ import { ask, finalSurface, newContext, openPage } from './support/browser_page.
 import { Guest } from './support/guest.ts';
 import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let context: BrowserContext;
 let page: Page;
 let session: string;
@@ -17,8 +17,8 @@ let firstRake: RakeRecord;
 
 /** Its tests go on where the one before has left the rakes. */
 async function visit(): Promise<void> {
-    context = await newContext(stand.browser, { width: 900, height: 560 });
-    page = await openPage(context, await stand.server.newSession());
+    context = await newContext(rig.browser, { width: 900, height: 560 });
+    page = await openPage(context, await rig.server.newSession());
     await finalSurface(page);
     // By how many pixels hands move is chosen for the whole domain.
     await page.getByRole('button', { name: 'Fit' }).click();
@@ -29,17 +29,17 @@ async function visit(): Promise<void> {
 /** The first rake where it was at first. */
 async function restored(): Promise<void> {
     const { rake, kind, points, seeds } = firstRake;
-    await stand.server.call('rake.set', { session, rake, kind, points, seeds });
+    await rig.server.call('rake.set', { session, rake, kind, points, seeds });
     await page.waitForFunction((all) => JSON.stringify(window.wakesurf!.rakePoints) === all, JSON.stringify(points));
     await finalSurface(page);
 }
 
 async function rakes(): Promise<RakeRecord[]> {
-    return (await stand.server.call('rake.list', { session }))['rakes'] as RakeRecord[];
+    return (await rig.server.call('rake.list', { session }))['rakes'] as RakeRecord[];
 }
 
 async function surfaces(): Promise<SurfaceRecord[]> {
-    return (await stand.server.call('surface.list', { session }))['surfaces'] as SurfaceRecord[];
+    return (await rig.server.call('surface.list', { session }))['surfaces'] as SurfaceRecord[];
 }
 
 /** Asks the server until it says what is expected. */
@@ -277,7 +277,7 @@ describe('a rake', () => {
     });
 
     it('that someone else moves says who does, moves before the eyes, and cannot be taken meanwhile', async () => {
-        const ann = await Guest.join(stand.server, session, { name: 'Ann', colour: '#cc79a7' });
+        const ann = await Guest.join(rig.server, session, { name: 'Ann', colour: '#cc79a7' });
         const { rake, kind, points, seeds } = (await rakes())[0]!;
         const moved = (by: number): Vec3[] => points.map(([x, y, z]) => [x + by, y, z]);
         const handle = (await ask(page, (hook) => hook.handleOnScreen(0)))!;
@@ -380,7 +380,7 @@ describe('a rake', () => {
         expect(nudged.points[1]![2] - start[1]![2]).toBeCloseTo(-0.05, 9);
 
         // On the surface of the nudged rake, where the picture shows it: beside it the end would be kept inside the domain.
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
         const at = await ask(page, (hook) => {
             const seen = hook.vertices(7).map(({ point }) => hook.project(point)!);
             return seen.slice(Math.floor(seen.length / 3)).find((place) => typeof hook.pick(place)?.surface === 'string')!;

@@ -5,9 +5,9 @@ import { readFragment } from '../../web-client/src/session/view/urlState.ts';
 import type { SurfaceStatus } from '../../web-client/src/state/appState.ts';
 import { ask } from './support/browser_page.ts';
 import { takeHandle } from './support/rake_drag.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 const canvasSize = (): Promise<{ width: number; height: number }> =>
@@ -16,14 +16,14 @@ const drawnRakes = (): Promise<string[]> => ask(page, (hook) => hook.rakes.map((
 const displayed = (): Promise<number> => ask(page, (hook) => hook.allDisplayed.length);
 
 /** What the server has sent of surfaces so far, in frames. */
-const sent = (): Promise<number> => stand.metric('wakesurf_stage_seconds_count{stage="send"}');
+const sent = (): Promise<number> => rig.metric('wakesurf_stage_seconds_count{stage="send"}');
 
 const size = { width: 1440, height: 900 };
 /** Of all tests after which it is as before. */
 let shared: Page;
 
 beforeAll(async () => {
-    shared = await stand.visit(size);
+    shared = await rig.visit(size);
 });
 
 beforeEach(async () => {
@@ -33,7 +33,7 @@ beforeEach(async () => {
 
 describe('a rake that is hidden', () => {
     beforeEach(async () => {
-        page = await stand.visit();
+        page = await rig.visit();
         return () => page.context().close();
     });
 
@@ -54,8 +54,8 @@ describe('a rake that is hidden', () => {
         await longer();
         // The server has made the surface to its end, and has answered on the connection that it would have sent it by.
         const session = await ask(page, (hook) => hook.session);
-        const { surfaces } = (await stand.server.call('surface.list', { session })) as { surfaces: { surface: string }[] };
-        await stand.server.call('surface.wait', { session, surface: surfaces[0]!.surface, timeoutMs: 20_000 });
+        const { surfaces } = (await rig.server.call('surface.list', { session })) as { surfaces: { surface: string }[] };
+        await rig.server.call('surface.wait', { session, surface: surfaces[0]!.surface, timeoutMs: 20_000 });
         await longer();
         expect(await sent()).toBe(before);
         // The address follows within half a second.

@@ -5,13 +5,13 @@ import { describe, expect, it } from 'vitest';
 import type { SessionEntry } from '../../web-client/src/protocol/messages.ts';
 import { ask } from './support/browser_page.ts';
 import { dragHandle } from './support/rake_drag.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 const size = { width: 780, height: 420 };
 
 async function listed(trash = false): Promise<SessionEntry[]> {
-    return (await stand.server.call('session.list', { trash }))['sessions'] as SessionEntry[];
+    return (await rig.server.call('session.list', { trash }))['sessions'] as SessionEntry[];
 }
 
 async function named(name: string): Promise<SessionEntry | undefined> {
@@ -37,7 +37,7 @@ function sessionOf(page: Page): Promise<string | null> {
 describe('the printed link', () => {
     it('makes no session however often it is opened: everyone meets in one, with a first surface that no one has edited', async () => {
         const pages: Page[] = [];
-        for (let visit = 0; visit < 2; ++visit) pages.push(await stand.visit({ ...size, link: stand.server.link }));
+        for (let visit = 0; visit < 2; ++visit) pages.push(await rig.visit({ ...size, link: rig.server.link }));
         expect(await Promise.all(pages.map(sessionOf))).toEqual(['main', 'main']);
         expect(await listed()).toMatchObject([{ session: 'main', rakes: 1, surfaces: 1, edited: false, participants: 2 }]);
         await dragHandle(pages[0]!, 0, 12, -8, 3);
@@ -53,7 +53,7 @@ describe('the printed link', () => {
 
 describe('the list of sessions', () => {
     it('shows who is there, what is in it, and how it looks', async () => {
-        const page = await stand.visit({ ...size, link: await stand.server.newSession('Thesis figure 4') });
+        const page = await rig.visit({ ...size, link: await rig.server.newSession('Thesis figure 4') });
         await dragHandle(page, 1, 14, 6, 3);
         await expect.poll(async () => (await named('Thesis figure 4'))?.thumbnail, { timeout: 20_000 }).toBe(true);
         const session = (await sessionOf(page))!;
@@ -84,13 +84,13 @@ describe('the list of sessions', () => {
         // Nothing is drawn for the list, and no second picture of what has not changed is sent.
         expect((await ask(page, (hook) => hook.framesDrawn)) - framesBefore).toBeLessThanOrEqual(1);
         const { headers } = await page.request
-            .get(new URL(`/api/v1/sessions/${session}/thumbnail`, stand.server.link).href, {
-                headers: { Authorization: `Bearer ${stand.server.token}` },
+            .get(new URL(`/api/v1/sessions/${session}/thumbnail`, rig.server.link).href, {
+                headers: { Authorization: `Bearer ${rig.server.token}` },
             })
             .then((reply) => ({ headers: reply.headers() }));
         expect(headers['content-type']).toBe('image/jpeg');
         // In the trash it is the same picture.
-        await stand.server.call('session.delete', { session });
+        await rig.server.call('session.delete', { session });
         await openList(page);
         await page.getByRole('button', { name: /^Trash/ }).click();
         const deleted = card(page, 'Thesis figure 4').locator('img');

@@ -5,20 +5,20 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { ClockRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 const size = { width: 900, height: 480 };
 let page: Page;
 
 beforeEach(async () => {
-    page = await stand.visit(size);
+    page = await rig.visit(size);
     return () => page.context().close();
 });
 
 async function records(): Promise<{ clock: ClockRecord; surface: SurfaceRecord }> {
     const session = await ask(page, (hook) => hook.session);
-    const state = await stand.server.call('session.state', { session });
+    const state = await rig.server.call('session.state', { session });
     const { clock, surfaces } = state as unknown as { clock: ClockRecord; surfaces: SurfaceRecord[] };
     return { clock, surface: surfaces[0]! };
 }
@@ -81,12 +81,12 @@ describe('the timeline', () => {
         expect(clock.time).toBe(12.5);
         const { surface: _surface, rev: _rev, epoch: _epoch, fields: _fields, ...setting } = record;
         const session = await ask(page, (hook) => hook.session);
-        const { surface } = await stand.server.call('surface.set', { ...setting, session, to: 12.5 });
-        const fresh = await stand.server.call('surface.wait', { session, surface, timeoutMs: 20_000 });
+        const { surface } = await rig.server.call('surface.set', { ...setting, session, to: 12.5 });
+        const fresh = await rig.server.call('surface.wait', { session, surface, timeoutMs: 20_000 });
         const shown = await ask(page, (hook) => hook.displayed!);
         expect(fresh).toMatchObject({ complete: true, vertices: shown.vertices, quads: shown.cells });
         await page.keyboard.press('End');
         await shownAt(16);
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
     });
 });

@@ -8,15 +8,15 @@ import { ask, finalSurface, newContext, openPage } from './support/browser_page.
 import { dragHandle, takeHandle } from './support/rake_drag.ts';
 import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 const contexts: BrowserContext[] = [];
 let page: Page;
 let session: string;
 
 beforeEach(async () => {
-    page = await visit(await stand.server.newSession());
+    page = await visit(await rig.server.newSession());
     session = (await ask(page, (hook) => hook.session))!;
 });
 
@@ -26,7 +26,7 @@ afterEach(async () => {
 
 /** A browser of its own: cookies are not shared. */
 async function visit(link: string): Promise<Page> {
-    const context = await newContext(stand.browser, { width: 780, height: 420 });
+    const context = await newContext(rig.browser, { width: 780, height: 420 });
     contexts.push(context);
     await context.addInitScript(keepWorker);
     const visited = await openPage(context, link);
@@ -57,17 +57,17 @@ function keepWorker(): void {
 }
 
 async function viewersLink(): Promise<string> {
-    const { link } = await stand.server.call('session.share', { session, role: 'viewer' });
-    return new URL(String(link), stand.server.link).href;
+    const { link } = await rig.server.call('session.share', { session, role: 'viewer' });
+    return new URL(String(link), rig.server.link).href;
 }
 
 async function recordedRake(): Promise<{ rake: string; kind: string; points: Vec3[]; seeds: number }> {
-    const { rakes } = await stand.server.call('rake.list', { session });
+    const { rakes } = await rig.server.call('rake.list', { session });
     return (rakes as Awaited<ReturnType<typeof recordedRake>>[])[0]!;
 }
 
 async function participants(): Promise<string[]> {
-    const state = await stand.server.call('session.state', { session });
+    const state = await rig.server.call('session.state', { session });
     return (state['participants'] as { participant: string }[]).map(({ participant }) => participant);
 }
 
@@ -118,8 +118,8 @@ describe('a link for looking on', () => {
         const epoch = await ask(viewer, (hook) => hook.displayed!.epoch);
         await dragHandle(page, 1, 30, 20, 6);
         await viewer.waitForFunction((old) => window.wakesurf!.displayed!.epoch > old, epoch);
-        await expectServersMesh(stand.server, page);
-        await expectServersMesh(stand.server, viewer);
+        await expectServersMesh(rig.server, page);
+        await expectServersMesh(rig.server, viewer);
         expectSamePoints(await ask(viewer, (hook) => hook.rakePoints), (await recordedRake()).points, 6);
     });
 });
@@ -127,9 +127,9 @@ describe('a link for looking on', () => {
 describe('a page whose place is gone', () => {
     it('leaves it to the newer connection with the same resume token', async () => {
         const resumeToken = await page.evaluate(() => window.resumeToken);
-        const address = new URL('/ws', stand.server.link);
+        const address = new URL('/ws', rig.server.link);
         address.protocol = 'ws:';
-        const headers = { Authorization: `Bearer ${stand.server.token}` };
+        const headers = { Authorization: `Bearer ${rig.server.token}` };
         const newer = new WebSocket(address, subprotocol, { headers });
         let closed = false;
         newer.on('close', () => (closed = true));

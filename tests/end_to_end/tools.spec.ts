@@ -4,13 +4,13 @@ import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { SampledPoints, Vec3 } from '../../web-client/src/protocol/messages.ts';
 import { ask } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 900, height: 560 });
+    page = await rig.visit({ width: 900, height: 560 });
     await page.evaluate(() => window.wakesurf!.setCamera([5, -26, 8], [5, 0, 3]));
     await page.getByRole('tab', { name: 'View' }).click();
 });
@@ -45,7 +45,7 @@ function apart(a: Vec3, b: Vec3): number {
 
 async function sampled(point: Vec3): Promise<SampledPoints> {
     const asked = { dataset: 'sqcyl', points: [point], time: await ask(page, (hook) => hook.displayed!.time) };
-    return (await stand.server.call('probe.sample', asked)) as unknown as SampledPoints;
+    return (await rig.server.call('probe.sample', asked)) as unknown as SampledPoints;
 }
 
 describe('the probe', () => {

@@ -1,13 +1,13 @@
 // Numbers as people type them, on keyboards and in browsers of other languages.
 import { describe, expect, it } from 'vitest';
 import { ask } from './support/browser_page.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 
 describe.each(['en-US', 'de-DE', 'fr-FR'])('in a browser whose language is %s', (locale) => {
     it('a rake goes where a comma or a point says, and not where two marks may mean two', async () => {
-        const page = await stand.visit({ width: 900, height: 700, locale });
+        const page = await rig.visit({ width: 900, height: 700, locale });
         expect(await page.evaluate(() => navigator.language)).toBe(locale);
         const end = (): Promise<number[]> => ask(page, (hook) => [...hook.rakePoints.at(-1)!]);
         const field = page.getByRole('textbox', { name: 'End x' });

@@ -8,13 +8,13 @@ import { framesPass } from './support/frames.ts';
 import { hitsOver } from './support/look_facts.ts';
 import { expectSamePoints } from './support/same_points.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 900, height: 560 });
+    page = await rig.visit({ width: 900, height: 560 });
 });
 
 interface Seen {
@@ -137,7 +137,7 @@ describe('views that are kept', () => {
         const kept = page.getByRole('button', { name: 'From the wake', exact: true });
         await kept.waitFor();
         const session = await ask(page, (hook) => hook.session);
-        const { bookmarks } = (await stand.server.call('bookmark.list', { session })) as {
+        const { bookmarks } = (await rig.server.call('bookmark.list', { session })) as {
             bookmarks: { name: string; view: object }[];
         };
         expect(bookmarks).toMatchObject([{ name: 'From the wake', view: { camera: { target: place.target } } }]);
@@ -153,10 +153,10 @@ describe('views that are kept', () => {
     it('are in the address: a link opens the same picture', async () => {
         await page.evaluate((to) => window.wakesurf!.setCamera(to.position, to.target), place);
         await expect.poll(() => cameraInAddress(page)?.position[0]).toBe(place.position[0]);
-        const again = await stand.open(page, page.url());
+        const again = await rig.open(page, page.url());
         const camera = await ask(again, (hook) => hook.camera);
         expectSamePoints([camera.position, camera.target], [place.position, place.target], 3);
-        await expectServersMesh(stand.server, again);
+        await expectServersMesh(rig.server, again);
         await again.close();
     });
 });
@@ -171,7 +171,7 @@ describe('what a brush has revealed', () => {
     const masksOf = (page: Page) => readFragment(new URL(page.url()).hash).state?.view.masks ?? {};
 
     it('is in the link that someone else opens', async () => {
-        const page = await stand.visit({ width: 780, height: 510 });
+        const page = await rig.visit({ width: 780, height: 510 });
         await page.evaluate(() => window.wakesurf!.setCamera([4, -16, 7], [3.5, 0, 2.8]));
         await page.getByRole('tab', { name: 'Look' }).click();
         await page.locator('#paint-group summary').click();
@@ -202,8 +202,8 @@ describe('what a brush has revealed', () => {
         expect(JSON.stringify(masksOf(page)).length).toBeLessThan(850);
 
         const link = new URL(page.url());
-        link.hash += `&token=${stand.server.token}`;
-        const other = await stand.visit({ width: 780, height: 510, link: link.href });
+        link.hash += `&token=${rig.server.token}`;
+        const other = await rig.visit({ width: 780, height: 510, link: link.href });
         // Texels of the code are some pixels wide: what differs is the border.
         await expect.poll(async () => apart(painted, await shown(other))).toBeLessThan(0.1 * painted.size);
         await other.context().close();
@@ -218,7 +218,7 @@ describe('dark and light', () => {
         expect(Math.max(...dark)).toBeLessThan(60);
         await page.getByLabel('Colours of the page').selectOption('light');
         expect(Math.min(...(await corner(page)))).toBeGreaterThan(220);
-        const again = await stand.open(page, page.url());
+        const again = await rig.open(page, page.url());
         expect(Math.min(...(await corner(again)))).toBeGreaterThan(220);
         await again.close();
         await page.getByLabel('Colours of the page').selectOption('follow the system');

@@ -8,15 +8,15 @@ import { ask, newContext, openPage } from './support/browser_page.ts';
 import { pixelsOf } from './support/figure_download.ts';
 import { linkTo, readGallery, settled } from './support/gallery_scene.ts';
 import { expectServersMesh } from './support/server_mesh.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
     const scene = readGallery().scenes.find(({ name }) => name === 'wake-streak')!;
-    const context = await newContext(stand.browser, { width: 800, height: 520 });
-    page = await openPage(context, await linkTo(stand.server, scene));
+    const context = await newContext(rig.browser, { width: 800, height: 520 });
+    page = await openPage(context, await linkTo(rig.server, scene));
     await settled(page);
     await page.getByRole('tab', { name: 'Look' }).click();
 });
@@ -45,7 +45,7 @@ describe('a torn border', () => {
         const { cells } = (await ask(page, (hook) => hook.displayed))!;
         expect(number).toBeGreaterThan(50);
         expect(number).toBeLessThan(0.05 * cells);
-        await expectServersMesh(stand.server, page);
+        await expectServersMesh(rig.server, page);
         await page.locator('#windows-group summary').click();
         await page.getByRole('checkbox', { name: 'Trim torn borders' }).uncheck();
         await page.waitForFunction(() => !document.querySelector('wakesurf-app')!.shadowRoot!.textContent.includes('trimmed)'));
@@ -110,7 +110,7 @@ async function polygons(lines: string, head = 'f'): Promise<Vec3[][]> {
     const session = (await ask(page, (hook) => hook.session))!;
     const { surface } = await ask(page, (hook) => hook.displayed!);
     const path = `/api/v1/sessions/${encodeURIComponent(session)}/surfaces/${surface}/mesh.obj?lines=${encodeURIComponent(lines)}`;
-    const reply = await fetch(new URL(path, stand.server.link), { headers: { Authorization: `Bearer ${stand.server.token}` } });
+    const reply = await fetch(new URL(path, rig.server.link), { headers: { Authorization: `Bearer ${rig.server.token}` } });
     expect(reply.status).toBe(200);
     const rows = (await reply.text()).split('\n').map((row) => row.split(' '));
     const points = rows.filter(([first]) => first === 'v').map(([, x, y, z]) => [Number(x), Number(y), Number(z)] as Vec3);

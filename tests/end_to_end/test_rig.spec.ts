@@ -1,14 +1,14 @@
-// The stand itself: a test fails when its page complains, whatever else the test looks at.
+// The test rig itself: a test fails when its page complains, whatever else the test looks at.
 import type { Page } from 'playwright-core';
 import { beforeAll, expect, it } from 'vitest';
 import { expectComplaint, takeComplaints } from './support/complaints.ts';
-import { useStand } from './support/stand.ts';
+import { useTestRig } from './support/test_rig.ts';
 
-const stand = useStand();
+const rig = useTestRig();
 let page: Page;
 
 beforeAll(async () => {
-    page = await stand.visit({ width: 400, height: 300 });
+    page = await rig.visit({ width: 400, height: 300 });
 });
 
 const complaints: Record<string, (page: Page) => Promise<unknown>> = {

@@ -6,7 +6,7 @@ import { NetworkProxy } from './network_proxy.ts';
 import { bundledStore, ServerProcess } from './server_process.ts';
 import { closePages, testBrowser } from './test_browser.ts';
 
-export class Stand {
+export class TestRig {
     server!: ServerProcess;
     browser!: Browser;
     /** Between the server and those who come by `networkLink`. */
@@ -48,15 +48,15 @@ export class Stand {
 }
 
 /** To be called at the top of a file of tests. @param more  datasets beside the bundled one */
-export function useStand(more: readonly string[] = []): Stand {
-    const stand = new Stand();
+export function useTestRig(more: readonly string[] = []): TestRig {
+    const rig = new TestRig();
     beforeAll(async () => {
-        stand.network = await NetworkProxy.start();
-        stand.server = await ServerProcess.start({ store: bundledStore(), origin: stand.network.origin, more });
-        await stand.server.imported();
-        stand.network.lead(stand.server.port);
-        stand.browser = await testBrowser();
+        rig.network = await NetworkProxy.start();
+        rig.server = await ServerProcess.start({ store: bundledStore(), origin: rig.network.origin, more });
+        await rig.server.imported();
+        rig.network.lead(rig.server.port);
+        rig.browser = await testBrowser();
     });
-    afterAll(() => stand.close());
-    return stand;
+    afterAll(() => rig.close());
+    return rig;
 }
