@@ -4,7 +4,7 @@
 
 #include "core/surface/quad_complex.hpp"
 #include "protocol/wire/wire_mesh.hpp"
-#include "server/base/value_ranges.hpp"
+#include "server/live/surface_events.hpp"
 #include "server/live/surface_job.hpp"
 
 namespace wakesurf::server {

@@ -3,7 +3,7 @@
 #include "core/surface/playback/surface_at.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/metrics.hpp"
-#include "server/live/keyframe.hpp"
+#include "server/live/update_ring.hpp"
 
 #include <algorithm>
 #include <limits>

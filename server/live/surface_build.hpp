@@ -11,7 +11,6 @@
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/live/compute/history_budget.hpp"
 #include "server/live/surface_job.hpp"
-#include "server/live/surface_pass.hpp"
 #include "server/live/update_ring.hpp"
 
 #include <cstdint>

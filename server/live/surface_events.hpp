@@ -1,17 +1,31 @@
-// What is told of a live surface as it is computed: progress, ranges of values, the outcome.
+// The events of a live surface as it is computed: progress, ranges of values, the outcome.
 #pragma once
 
 #include "core/base/result.hpp"
 #include "core/surface/surface_statistics.hpp"
+#include "core/surface/value_range.hpp"
+#include "protocol/api/generated/subscription.hpp"
 #include "protocol/wire/mesh_stream.hpp"
-#include "server/base/pass_seconds.hpp"
-#include "server/base/value_ranges.hpp"
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace wakesurf::server {
+
+/// The range of one attribute of the frames.
+struct AnnouncedRange {
+    std::string attribute;
+    core::ValueRange range;
+
+    bool operator==(const AnnouncedRange&) const = default;
+};
+
+using ValueRanges = std::vector<AnnouncedRange>;
+
+/// The time of one pass over a surface, stage by stage, as reported to clients.
+using protocol::PassSeconds;
 
 /// A surface has a state of a further phase.
 struct SurfaceProgress {

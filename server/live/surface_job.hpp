@@ -1,15 +1,27 @@
-// The input of a surface's build, as values: a compute thread needs nothing else.
+// The input of a surface's build and of each of its passes, as values: a compute thread needs nothing else.
 #pragma once
 
 #include "core/surface/request/surface_plan.hpp"
 #include "protocol/wire/lattice.hpp"
+#include "protocol/wire/mesh_frame.hpp"
 #include "server/data/surface_fields.hpp"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace wakesurf::server {
+
+using protocol::Phase;
+
+/// One pass over a surface: its quality and its time.
+struct SurfacePass {
+    Phase phase = Phase::Final;
+    std::uint64_t quads = 0;    ///< the budget of a coarse or refined pass
+    std::optional<double> time; ///< of the session's clock; empty: at the end
+    double separation = 0.0;    ///< the least of such a pass
+};
 
 struct SurfaceJob {
     std::uint32_t number = 0; ///< of the surface on the wire

@@ -21,7 +21,7 @@
 // In Begun to Full it is computed, unless every client that showed it has stopped doing so.
 #pragma once
 
-#include "server/live/surface_pass.hpp"
+#include "server/live/surface_job.hpp"
 
 namespace wakesurf::server {
 

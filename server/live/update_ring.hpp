@@ -7,8 +7,7 @@
 #include "core/base/memory_account.hpp"
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/wire/mesh_stream.hpp"
-#include "server/base/pass_seconds.hpp"
-#include "server/base/value_ranges.hpp"
+#include "server/live/surface_events.hpp"
 
 #include <chrono>
 #include <cstddef>
@@ -131,5 +130,15 @@ class UpdateRing {
     std::chrono::steady_clock::time_point key_since_;
     std::vector<std::weak_ptr<Listener>> listeners_;
 };
+
+/// Encodes the state of a surface as one keyframe, on a compute thread, for clients that have none of it. Null where there is no memory for it within 100 ms, and it has to be asked
+/// for again. Thread-safe. Cost: of encoding all vertices.
+/// @param state  the state that the update leads to
+/// @param number  the surface's on the wire
+/// @param account  null: memory is not counted
+SharedUpdate keyframe_of(const Update& update,
+                         std::shared_ptr<const protocol::WireMesh> state,
+                         std::uint32_t number,
+                         const core::MemoryAccount* account);
 
 } // namespace wakesurf::server
