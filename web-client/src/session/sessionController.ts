@@ -12,11 +12,11 @@ import type { UndoHistory } from './edits/undoHistory.ts';
 import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
 import { adoptSnapshot, applyPatches } from './recordMirror.ts';
-import { SessionJoin, isNotFound, personNameKey, rememberSession } from './sessions/joinSession.ts';
+import { isNotFound, personNameKey, rememberSession, SessionJoin } from './sessions/joinSession.ts';
 import type { Thumbnails } from './out/thumbnails.ts';
 import { addDefaultScene, isEmpty, type Suggestions, wasEdited } from './sessions/defaultScene.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
-import { isEmptyContent, recoverSession, type SessionContent, knownContent } from './view/sessionRecovery.ts';
+import { isEmptyContent, knownContent, recoverSession, type SessionContent } from './view/sessionRecovery.ts';
 import type { UrlState } from './view/urlState.ts';
 import type { Views } from './view/views.ts';
 

@@ -11,7 +11,7 @@ import { Playback } from '../session/time/playback.ts';
 import { AppState, withEntry } from '../state/appState.ts';
 import { LatencyLog } from '../state/latency.ts';
 import { ViewState } from '../state/viewState.ts';
-import { answering, type Params, FakeClock, settled } from './fakes.ts';
+import { answering, FakeClock, type Params, settled } from './fakes.ts';
 import { datasetOf, displayedOf, emptySnapshot, fieldOf, rakeOf, surfaceOf } from './records.ts';
 
 const spacing = 0.1675;

@@ -2,7 +2,7 @@
 // over the canvas: sharp at any size and readable by assistive tools.
 import type { Color, Object3D } from 'three';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type AxisEdge, type Bounds, boxEdges, centreOf, edgesBeforeBox, clampedToPicture, labelledEdges } from './domainAxes.ts';
+import { type AxisEdge, type Bounds, boxEdges, centreOf, clampedToPicture, edgesBeforeBox, labelledEdges } from './domainAxes.ts';
 import { type Cover, isCovered, Labels } from '../base/labels.ts';
 import type { Layer, ScreenPoint, ScreenSize, View } from '../base/view.ts';
 import { niceTicks } from '../base/numbers.ts';

@@ -2,7 +2,7 @@
 import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { type CallStep, ScriptVariable, type MeshFile, type ScriptStep } from './scripts.ts';
+import { type CallStep, type MeshFile, type ScriptStep, ScriptVariable } from './scripts.ts';
 
 /** The rake of the surface that is being worked on, as it is on the screen. */
 export function rakeSteps(state: AppState): ScriptStep[] {

@@ -1,6 +1,6 @@
 import { execFileSync } from 'node:child_process';
 import { describe, expect, it } from 'vitest';
-import { type CallStep, curlScript, ScriptVariable, pythonScript, quoted, type ScriptStep } from './scripts.ts';
+import { type CallStep, curlScript, pythonScript, quoted, type ScriptStep, ScriptVariable } from './scripts.ts';
 
 const place = { server: 'http://127.0.0.1:8080/some/prefix', session: 'main' };
 /** Everything that a language might take for the end of a text. */

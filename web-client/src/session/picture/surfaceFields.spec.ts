@@ -7,7 +7,7 @@ import { PageBench } from '../../testing/pageBench.ts';
 import { surfaceOf } from '../../testing/records.ts';
 import { rested } from '../../testing/shownPanel.ts';
 import type { SurfaceIntent } from '../edits/surfaceIntent.ts';
-import { changeLookWithFields, fieldsWith, announceMissingFields } from './surfaceFields.ts';
+import { announceMissingFields, changeLookWithFields, fieldsWith } from './surfaceFields.ts';
 
 const velocity = ['velocity_x', 'velocity_y', 'velocity_z'];
 const normals = ['normal_x', 'normal_y', 'normal_z'];

@@ -5,7 +5,7 @@ import { AppState, type DisplayedSurface, type Stage, type SurfaceStatus } from 
 import { answering } from '../../testing/fakes.ts';
 import { datasetOf, displayedOf, sampleStatistics, surfaceOf } from '../../testing/records.ts';
 import { intentOf } from '../edits/surfaceIntent.ts';
-import { faster, progressWords, SurfaceOutcomes, SurfaceProgress, type ReportedProgress, untilHere } from './surfaceProgress.ts';
+import { faster, progressWords, type ReportedProgress, SurfaceOutcomes, SurfaceProgress, untilHere } from './surfaceProgress.ts';
 
 interface Asked {
     method: string;
