@@ -193,7 +193,7 @@ function start(app: App): void {
             retryNow,
             takeLink,
             restoreSession: () => controller.restore(),
-            makeSessionAgain: () => controller.makeAgain(),
+            recoverSession: () => controller.recover(),
         },
         panel: {
             state,

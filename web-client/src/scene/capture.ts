@@ -26,7 +26,7 @@ export interface FigureSetting {
 
 /** What browsers make canvases of, and what pictures on paper need. */
 const longestSide = 16_384;
-const pixelsAtMost = 128e6;
+const maxPixels = 128e6;
 /** Drawn at once; peeling needs some 60 bytes a pixel. */
 const tileSide = 2048;
 /** Leaves room for handles, which reach from one tile into another; in pixels of CSS. */
@@ -40,8 +40,8 @@ export function sizeFault({ width, height }: ScreenSize): string | null {
     if (Math.max(width, height) > longestSide) {
         return `A picture can have at most ${longestSide} pixels per side. Choose a smaller picture.`;
     }
-    if (width * height <= pixelsAtMost) return null;
-    return `A picture can have at most ${pixelsAtMost / 1e6} million pixels. Choose a smaller picture.`;
+    if (width * height <= maxPixels) return null;
+    return `A picture can have at most ${maxPixels / 1e6} million pixels. Choose a smaller picture.`;
 }
 
 /** Returns what the graphics draw at once. */

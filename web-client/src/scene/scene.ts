@@ -395,12 +395,12 @@ export class FlowScene {
     }
 
     private drawFrame(finished: () => void, changed: boolean): void {
-        if (changed || this.exactNext || this.sharpNext) this.drawAnew(finished);
+        if (changed || this.exactNext || this.sharpNext) this.redraw(finished);
         else if (this.samples > 0 && !this.isAtRest && !this.held) this.drawSmoother(finished);
         else finished();
     }
 
-    private drawAnew(finished: () => void): void {
+    private redraw(finished: () => void): void {
         const begun = performance.now();
         const moving = !this.exactNext && !this.sharpNext && this.movement.at(begun);
         this.setPixelRatio(moving ? this.movingResolution.ratio : this.fullRatio);

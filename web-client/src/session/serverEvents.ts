@@ -12,12 +12,12 @@ import type { SurfaceFeed } from './surface/surfaceFeed.ts';
 import type { SurfaceOutcomes, SurfaceProgress } from './surface/surfaceProgress.ts';
 
 /** Notices before the server closes the connection, which the page tells in its own words. */
-const farewells: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnded', 'loggedOut']);
+const closingNotices: ReadonlySet<string> = new Set(['displaced', 'removed', 'linkEnded', 'loggedOut']);
 /** Notices of which the newest takes the place of the other. */
-const subjects: Readonly<Record<string, string>> = { notDurable: 'durability', durableAgain: 'durability' };
+const noticeSubjects: Readonly<Record<string, string>> = { notDurable: 'durability', durableAgain: 'durability' };
 
 /** Notices of something that has happened once more when they come again. */
-const happenings: ReadonlySet<string> = new Set(['dataReplaced']);
+const repeatableNotices: ReadonlySet<string> = new Set(['dataReplaced']);
 
 export interface ServerEventsOptions {
     state: AppState;
@@ -99,8 +99,8 @@ export class ServerEvents {
             if (kind === 'catchingUp') surfaces.add(surface);
             else surfaces.delete(surface);
             state.catchingUp.value = surfaces;
-        } else if (text !== null && happenings.has(kind)) state.notices.say(kind, sentence(text));
-        else if (text !== null && !farewells.has(kind)) this.say(subjects[kind] ?? kind, sentence(text));
+        } else if (text !== null && repeatableNotices.has(kind)) state.notices.say(kind, sentence(text));
+        else if (text !== null && !closingNotices.has(kind)) this.say(noticeSubjects[kind] ?? kind, sentence(text));
     }
 
     /** Some notices come again whenever the session is joined; what was sent away stays away. */

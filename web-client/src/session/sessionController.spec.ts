@@ -61,7 +61,7 @@ class Bench {
         const scene = { setDomain: () => undefined, setObstacle: () => undefined, removeObstacle: () => undefined };
         const url = { token: null, session, dataset: linked, state: null };
         const imports = { left: this.left, begin: async (dataset: string) => void this.begun.push(dataset) };
-        const views = { restore: () => undefined, madeAnew: () => undefined };
+        const views = { restore: () => undefined, recovered: () => undefined };
         const thumbnails = { patched: () => undefined };
         const dataset = new OpenDataset({ state, scene, worker, imports });
         const suggestions = new Suggestions(state, worker);
@@ -358,7 +358,7 @@ describe('a session that is deleted while the page is in it', () => {
         void bench.controller.deleted();
         await vi.advanceTimersByTimeAsync(10);
         expect(bench.state.gone.value).toMatchObject({ restorableUntil: null, remembered: true });
-        await bench.controller.makeAgain();
+        await bench.controller.recover();
         expect(bench.state.stage.value).toBe('running');
         expect(bench.state.session.value).toBe('session-2');
         expect(bench.records.rakes.map(({ name }) => name)).toEqual(['mine']);

@@ -6,7 +6,7 @@ import { apiLevel, type JoinedSession, type Patch, type SessionSnapshot } from '
 import type { AppState } from '../state/appState.ts';
 import { keep } from '../state/browserMemory.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
-import { isDisconnected, tellUnlessCut } from './base/calls.ts';
+import { isDisconnected, announceUnlessDisconnected } from './base/calls.ts';
 import type { Edits } from './edits/edits.ts';
 import type { UndoHistory } from './edits/undoHistory.ts';
 import type { OpenDataset } from './openDataset.ts';
@@ -23,7 +23,7 @@ import type { Views } from './view/views.ts';
 /** Pages that have lost the same session make it again in turn, lest each does. */
 const turnMs = 1500;
 /** Another user may bring a session back from the trash. */
-const lookAgainMs = 5000;
+const retryAfterMs = 5000;
 /** Between two tries of what the server refuses. */
 const longestPauseMs = 60_000;
 
@@ -35,7 +35,7 @@ export interface SessionControllerOptions {
     edits: Pick<Edits, 'reconnected' | 'recordsChanged'> & { history: Pick<UndoHistory, 'clear'> };
     people: Pick<People, 'joined'>;
     suggestions: Pick<Suggestions, 'here'>;
-    views: Pick<Views, 'restore' | 'madeAnew'>;
+    views: Pick<Views, 'restore' | 'recovered'>;
     thumbnails: Pick<Thumbnails, 'patched'>;
     url: UrlState;
 }
@@ -83,7 +83,7 @@ export class SessionController {
             this.entered(await this.sessionJoin.enter(session), resumeToken);
             this.options.state.problems.solved('name');
         } catch (error) {
-            tellUnlessCut(this.options.state.problems, 'name', error);
+            announceUnlessDisconnected(this.options.state.problems, 'name', error);
         }
     }
 
@@ -104,7 +104,7 @@ export class SessionController {
     }
 
     /** A new session, with what this page or its link knows of the one that is gone. */
-    async makeAgain(): Promise<void> {
+    async recover(): Promise<void> {
         const { state, worker } = this.options;
         const name = state.gone.value?.name ?? '';
         await this.attempt('session.create', async () => {
@@ -139,7 +139,7 @@ export class SessionController {
             await action();
             problems.solved(about);
         } catch (error) {
-            tellUnlessCut(problems, about, error);
+            announceUnlessDisconnected(problems, about, error);
         }
     }
 
@@ -166,7 +166,7 @@ export class SessionController {
             const entry = await dataset.wait(this.datasetOf(snapshot), gone);
             if (entry === null || gone()) return;
             await dataset.describe(entry.dataset);
-            if (this.lost !== null) await this.makeAgainHere(joined, entry.dataset);
+            if (this.lost !== null) await this.recoverInto(joined, entry.dataset);
             else if (mayFill && !this.shown && (await addDefaultScene(this.options, entry.dataset, snapshot))) {
                 this.adopt((await this.sessionJoin.enter(snapshot.session)).snapshot);
             }
@@ -183,7 +183,7 @@ export class SessionController {
             state.stage.value = 'failed';
             state.notices.tell('start', error, { label: 'Try again', act: () => void this.begin() });
             // What was too much for the server now may not be later.
-            const pause = Math.min(lookAgainMs * 2 ** this.failures++, longestPauseMs);
+            const pause = Math.min(retryAfterMs * 2 ** this.failures++, longestPauseMs);
             setTimeout(() => {
                 if (!gone() && state.stage.value === 'failed') void this.begin();
             }, pause);
@@ -220,7 +220,7 @@ export class SessionController {
     }
 
     /** Also after a connection that was lost in the middle of it. */
-    private async makeAgainHere(joined: JoinedSession, dataset: string): Promise<void> {
+    private async recoverInto(joined: JoinedSession, dataset: string): Promise<void> {
         const { worker, views, edits, state } = this.options;
         const lost = this.lost!;
         let there = joined.snapshot;
@@ -234,7 +234,7 @@ export class SessionController {
             const made = await recoverSession(worker, { ...lost, surfaces }, there);
             // An edit of meanwhile lies below what was made again, for the server.
             edits.history.clear();
-            views.madeAnew(made);
+            views.recovered(made);
             if (made.missing !== null) state.notices.say('made again', made.missing);
             there = (await this.sessionJoin.enter(there.session)).snapshot;
         }
@@ -282,7 +282,7 @@ export class SessionController {
         if (entry === undefined) return;
         setTimeout(() => {
             if (beginning === this.beginning) void this.begin();
-        }, lookAgainMs);
+        }, retryAfterMs);
     }
 
     private async subscribeAll(): Promise<void> {
@@ -318,7 +318,7 @@ export class SessionController {
         try {
             await this.subscribe(surface);
         } catch (error) {
-            tellUnlessCut(this.options.state.notices, `surface ${surface}`, error);
+            announceUnlessDisconnected(this.options.state.notices, `surface ${surface}`, error);
         }
     }
 

@@ -19,7 +19,7 @@ export interface PageView {
     shown?: object;
 }
 
-const looksAtMost = 100;
+const maxLooks = 100;
 const maskText = /^[\w-]{1,800}$/;
 
 export function readPageView(value: unknown): PageView {
@@ -33,13 +33,13 @@ export function readPageView(value: unknown): PageView {
     }
     if (typeof surface === 'string') view.surface = surface;
     if (typeof looks === 'object' && looks !== null) {
-        const known = Object.entries(looks).slice(0, looksAtMost);
+        const known = Object.entries(looks).slice(0, maxLooks);
         view.looks = Object.fromEntries(known.map(([id, look]) => [id, encodeLook(decodeLook(look))]));
     }
     if (typeof masks === 'object' && masks !== null) {
         const isText = (each: [string, unknown]): each is [string, string] =>
             typeof each[1] === 'string' && maskText.test(each[1]);
-        view.masks = Object.fromEntries(Object.entries(masks).filter(isText).slice(0, looksAtMost));
+        view.masks = Object.fromEntries(Object.entries(masks).filter(isText).slice(0, maxLooks));
     }
     if (clip !== undefined) view.clip = decodeClip(clip);
     if (bodyTexture === true) view.bodyTexture = true;
@@ -86,7 +86,7 @@ export interface Visibility {
 const none: ReadonlySet<string> = new Set();
 export const allShown: Visibility = { hiddenRakes: none, hiddenSurfaces: none, alone: false, lockedRakes: none };
 
-const idsAtMost = 200;
+const maxIds = 200;
 
 export function showsRake({ hiddenRakes, alone }: Visibility, rake: string, chosen: string | null): boolean {
     return alone && chosen !== null ? rake === chosen : !hiddenRakes.has(rake);
@@ -126,7 +126,7 @@ export function encodeVisibility({ hiddenRakes, hiddenSurfaces, alone, lockedRak
     const kept = Object.entries(lists).filter(([, ids]) => ids.size > 0);
     if (kept.length === 0 && !alone) return undefined;
     return {
-        ...Object.fromEntries(kept.map(([name, ids]) => [name, [...ids].slice(0, idsAtMost)])),
+        ...Object.fromEntries(kept.map(([name, ids]) => [name, [...ids].slice(0, maxIds)])),
         ...(alone ? { alone } : {}),
     };
 }
@@ -136,7 +136,7 @@ export function decodeVisibility(value: unknown): Visibility {
     if (typeof value !== 'object' || value === null) return allShown;
     const { rakes, surfaces, alone, locked } = value as Record<string, unknown>;
     const ids = (list: unknown): Set<string> =>
-        new Set(Array.isArray(list) ? list.slice(0, idsAtMost).filter((id): id is string => typeof id === 'string') : []);
+        new Set(Array.isArray(list) ? list.slice(0, maxIds).filter((id): id is string => typeof id === 'string') : []);
     return { hiddenRakes: ids(rakes), hiddenSurfaces: ids(surfaces), alone: alone === true, lockedRakes: ids(locked) };
 }
 

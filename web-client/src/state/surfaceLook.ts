@@ -98,7 +98,7 @@ export const usualLook: SurfaceLook = {
 
 const longestName = 200;
 /** The number of hidden parts that links and bookmarks keep. */
-export const partsAtMost = 64;
+export const maxHiddenParts = 64;
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
 const isFlag = (value: unknown): boolean => typeof value === 'boolean';
@@ -135,7 +135,7 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     animated: isFlag,
     sWindow: isSpan,
     ageWindow: isSpan,
-    hiddenParts: (value) => Array.isArray(value) && value.length <= partsAtMost && value.every(isPair),
+    hiddenParts: (value) => Array.isArray(value) && value.length <= maxHiddenParts && value.every(isPair),
     trimmed: isFlag,
     curved: isFlag,
     painting: isFlag,
@@ -145,7 +145,7 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
 /** Returns what differs from the usual, for a link or a bookmark. */
 export function encodeLook(look: SurfaceLook): Partial<SurfaceLook> {
     const differs = (name: keyof SurfaceLook): boolean => JSON.stringify(look[name]) !== JSON.stringify(usualLook[name]);
-    const kept = { ...look, hiddenParts: look.hiddenParts.slice(0, partsAtMost) };
+    const kept = { ...look, hiddenParts: look.hiddenParts.slice(0, maxHiddenParts) };
     return Object.fromEntries(Object.entries(kept).filter(([name]) => differs(name as keyof SurfaceLook)));
 }
 

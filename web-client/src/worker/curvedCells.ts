@@ -8,7 +8,7 @@ import { triangleCount, triangulate } from '../protocol/triangulate.ts';
 
 const finest = 8;
 /** Limits the quads of the picture: more would take longer to upload than it is worth. */
-const mostQuads = 400_000;
+const maxQuadsWhenCurved = 400_000;
 /** Sine of the angle between a side and the tangent plane, beyond which the side stays straight: there is an
  *  edge. */
 const steepest = 0.4;
@@ -40,7 +40,7 @@ export function curvedChange(flat: MeshChange, cells: Int32Array, pixels: number
 /** Returns so many that no piece is off by more than a pixel. */
 function piecesFor(pixels: number, cells: number): number {
     const wanted = Math.ceil(Math.sqrt(pixels));
-    const allowed = Math.floor(Math.sqrt(mostQuads / Math.max(cells, 1)));
+    const allowed = Math.floor(Math.sqrt(maxQuadsWhenCurved / Math.max(cells, 1)));
     return Math.max(1, Math.min(wanted, allowed, finest));
 }
 

@@ -4,18 +4,18 @@
 
 const minus = '\u2212';
 /** Limits what is written without an exponent. */
-const mostWhole = 1e6;
+const plainBelow = 1e6;
 const leastPlain = 1e-3;
 /** A number of more digits than these was computed, not typed. */
 const typedDigits = 12;
 /** Labels beside each other with more digits than this say what they share once. */
-const mostDigits = 6;
+const maxDigits = 6;
 
 /** A size of its own: four digits, and all of those before the point up to a million. */
 export function shortNumber(value: number): string {
     if (!Number.isFinite(value)) return '–';
     const size = Math.abs(value);
-    if (size !== 0 && (size >= mostWhole || size < leastPlain)) return signed(exponential(value, 3));
+    if (size !== 0 && (size >= plainBelow || size < leastPlain)) return signed(exponential(value, 3));
     const whole = size < 1 ? 1 : Math.floor(Math.log10(size)) + 1;
     return signed(String(Number(value.toPrecision(Math.max(4, whole)))));
 }
@@ -80,13 +80,13 @@ export function labelForm(low: number, high: number, step: number): LabelForm {
     const furthest = Math.max(Math.abs(low), Math.abs(high));
     const range = high - low;
     let offset = 0;
-    if (digitsOf(furthest, step) > mostDigits && furthest > 4 * range) {
+    if (digitsOf(furthest, step) > maxDigits && furthest > 4 * range) {
         // What all of the range begins with.
         const power = 10 ** Math.ceil(Math.log10(range) - 1e-9);
         offset = Math.floor(low / power + 1e-9) * power;
     }
     const left = offset === 0 ? furthest : high - offset;
-    const exponent = digitsOf(left, step) > mostDigits || left < leastPlain ? 3 * Math.floor(Math.log10(left) / 3 + 1e-9) : 0;
+    const exponent = digitsOf(left, step) > maxDigits || left < leastPlain ? 3 * Math.floor(Math.log10(left) / 3 + 1e-9) : 0;
     const unit = Number(`1e${exponent}`);
     const decimals = decimalsOf(step / unit);
     const shared = [
@@ -141,7 +141,7 @@ function signed(text: string): string {
 function withoutSign(text: string): string {
     const size = Math.abs(Number(text));
     // Round thousands read better by their power.
-    return size >= mostWhole ? exponential(size, typedDigits) : text.replace(/^-/, '');
+    return size >= plainBelow ? exponential(size, typedDigits) : text.replace(/^-/, '');
 }
 
 export interface Tick {

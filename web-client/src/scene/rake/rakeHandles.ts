@@ -18,10 +18,10 @@ const lineHitPx = 10;
 const stemPx = 52;
 const longerStemsPx = [1, 1.5, 2].map((times) => times * stemPx);
 /** With more points a handle for each would hide the rake. */
-const mostPointHandles = 48;
+const maxPointHandles = 48;
 
 export function hasPointHandles({ kind, points }: RakeShape): boolean {
-    return kind !== 'points' && points.length <= mostPointHandles;
+    return kind !== 'points' && points.length <= maxPointHandles;
 }
 
 /** Those of points first. */

@@ -213,7 +213,7 @@ const lockedColour = '#7d8896';
 const dotRadiusPx = 4;
 const smallDotRadiusPx = 2.5;
 /** More would hide the rake behind its points. */
-const mostDots = 64;
+const maxDots = 64;
 
 /** White on both sides, so that it stands out whatever its colour is. */
 const chosenStyle = { widthPx: 8, opacity: 1, haloPx: 1.1 };
@@ -290,7 +290,7 @@ export class RakeWidget {
      *  them. */
     private setDots({ shape, chosen, colour }: DrawnRake): void {
         const { points, kind } = shape;
-        const every = Math.ceil(points.length / mostDots);
+        const every = Math.ceil(points.length / maxDots);
         const list = !hasPointHandles(shape);
         let dotted: readonly Vec3[] = [];
         if (list) dotted = points.filter((_, i) => i % every === 0);

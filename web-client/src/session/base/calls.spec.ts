@@ -5,7 +5,7 @@ import { answering, settled } from '../../testing/fakes.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import { Gestures } from '../edits/gestures.ts';
 import { UndoHistory } from '../edits/undoHistory.ts';
-import { Calls, tellUnlessCut } from './calls.ts';
+import { Calls, announceUnlessDisconnected } from './calls.ts';
 
 function bench() {
     const state = new AppState();
@@ -52,8 +52,8 @@ describe('a note or a view that is kept', () => {
 test('a call that ends with the connection is not told of, one whose answer the page cannot read is', () => {
     const problems = new Announcements();
     const failure = { code: 0, message: 'This page cannot read what the server sent.', hint: '' };
-    tellUnlessCut(problems, 'rake', new CallError({ ...failure, kind: 'disconnected' }));
+    announceUnlessDisconnected(problems, 'rake', new CallError({ ...failure, kind: 'disconnected' }));
     expect([...problems.all.value]).toEqual([]);
-    tellUnlessCut(problems, 'rake', new CallError({ ...failure, kind: 'unreadable' }));
+    announceUnlessDisconnected(problems, 'rake', new CallError({ ...failure, kind: 'unreadable' }));
     expect([...problems.all.value]).toEqual([['rake', failure.message]]);
 });

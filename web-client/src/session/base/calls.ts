@@ -35,7 +35,7 @@ export class Calls {
             if (gesture !== null) this.acts.taken(gesture);
             return result;
         } catch (error) {
-            tellUnlessCut(this.state.problems, method, error);
+            announceUnlessDisconnected(this.state.problems, method, error);
             return null;
         }
     }
@@ -46,7 +46,7 @@ export function isDisconnected(error: unknown): boolean {
 }
 
 /** @param about as Announcements has it */
-export function tellUnlessCut(problems: Announcements, about: string, error: unknown): void {
+export function announceUnlessDisconnected(problems: Announcements, about: string, error: unknown): void {
     if (!isDisconnected(error)) problems.tell(about, error);
 }
 
@@ -58,8 +58,8 @@ export function refusalWords(error: unknown): string | null {
 }
 
 /** @param about what was edited */
-export function tellFailure({ problems }: AppState, about: string, error: unknown): void {
-    tellUnlessCut(problems, about, error);
+export function announceFailure({ problems }: AppState, about: string, error: unknown): void {
+    announceUnlessDisconnected(problems, about, error);
     // What was refused is as it was before; the next edit is about something else.
     const words = problems.all.value.get(about);
     if (words !== undefined) problems.sayUntil('edit', about, words);

@@ -8,7 +8,7 @@ import { fitted, type RakeShape } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { refusalWords, tellFailure } from '../base/calls.ts';
+import { refusalWords, announceFailure } from '../base/calls.ts';
 import type { Gestures } from './gestures.ts';
 import type { UndoHistory } from './undoHistory.ts';
 
@@ -190,7 +190,7 @@ export class RakeEdits {
         } catch (error) {
             // It was deleted meanwhile, which every user sees.
             if (one === undefined || !this.edited.has(edit.rake)) return;
-            tellFailure(state, `rake ${edit.rake}`, error);
+            announceFailure(state, `rake ${edit.rake}`, error);
             one.answeredRev = 0;
             one.refused ||= refusalWords(error) !== null;
         }

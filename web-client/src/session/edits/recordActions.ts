@@ -4,7 +4,7 @@ import { type RakeShape, translated } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { besideRake, freeRake } from './defaults.ts';
-import { tellFailure } from '../base/calls.ts';
+import { announceFailure } from '../base/calls.ts';
 import type { Gestures } from './gestures.ts';
 import { surfacesOf } from './selection.ts';
 import type { UndoHistory } from './undoHistory.ts';
@@ -132,7 +132,7 @@ export class RecordActions {
             });
             this.state.problems.solved(what);
         } catch (error) {
-            tellFailure(this.state, what, error);
+            announceFailure(this.state, what, error);
         }
     }
 }

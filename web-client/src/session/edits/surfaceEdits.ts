@@ -6,7 +6,7 @@ import type { SurfaceEpoch, SurfaceRecord, SurfaceSetting } from '../../protocol
 import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { refusalWords, tellFailure } from '../base/calls.ts';
+import { refusalWords, announceFailure } from '../base/calls.ts';
 import type { Gestures } from './gestures.ts';
 import { fulfils, intentOf, settingOf, type SurfaceIntent, withSecondCurve } from './surfaceIntent.ts';
 import { adapted } from './surfaceTimes.ts';
@@ -175,7 +175,7 @@ export class SurfaceEdits {
             const one = this.edited.get(id);
             // It was deleted meanwhile, which every user sees.
             if (one === undefined) return;
-            tellFailure(state, `surface ${id}`, error);
+            announceFailure(state, `surface ${id}`, error);
             // The newest goes back to what every user sees; what came after this one may yet be taken.
             if (one.last === setting) this.goBack(id, one, refusalWords(error));
         }

@@ -4,7 +4,7 @@ import { computed, signal } from '@preact/signals-core';
 import type { HistoryDepth } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { tellFailure } from '../base/calls.ts';
+import { announceFailure } from '../base/calls.ts';
 import { isolated } from '../../state/announcements.ts';
 
 type Way = 'undo' | 'redo';
@@ -89,7 +89,7 @@ export class UndoHistory {
             if (made.length > 0) along?.[way]();
             this.tell(way, skipped);
         } catch (error) {
-            tellFailure(this.state, 'undo', error);
+            announceFailure(this.state, 'undo', error);
         }
     }
 

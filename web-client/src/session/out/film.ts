@@ -15,10 +15,10 @@ import { automaticRanges } from '../picture/surfaceStyleOf.ts';
 import { canEncode, VideoEncoding } from './videoEncoding.ts';
 
 const patienceMs = 60_000;
-const askAgainMs = 5000;
-/** Times at which the colours' range is looked up. */
-const looksAtMost = 13;
-export const framesAtMost = 3600;
+const resendEveryMs = 5000;
+/** Times at which the colours' range is sampled up. */
+const maxRangeSamples = 13;
+export const maxFrames = 3600;
 
 export interface FilmSetting extends ScreenSize {
     fps: number;
@@ -30,7 +30,7 @@ export interface FilmSetting extends ScreenSize {
 }
 
 export interface FilmProgress {
-    /** measuring: what the colours are to stand for is looked up, before the first frame. */
+    /** measuring: what the colours are to stand for is sampled up, before the first frame. */
     state: 'idle' | 'measuring' | 'recording' | 'failed';
     done: number;
     frames: number;
@@ -52,7 +52,7 @@ export interface FilmOptions {
 
 /** The times of the frames: the first and the last are the ends. */
 export function frameTimes([from, to]: readonly [number, number], { fps, seconds }: { fps: number; seconds: number }): number[] {
-    const frames = Math.min(framesAtMost, Math.max(2, Math.round(fps * seconds)));
+    const frames = Math.min(maxFrames, Math.max(2, Math.round(fps * seconds)));
     return Array.from({ length: frames }, (_, i) => from + ((to - from) * i) / (frames - 1));
 }
 
@@ -124,13 +124,13 @@ export class FilmMaker {
         return ['measuring', 'recording'].includes(this.progress.value.state);
     }
 
-    /** Colours mean the same in all frames: what the values range over is looked up before the first. */
+    /** Colours mean the same in all frames: what the values range over is sampled up before the first. */
     private async fixColours(times: readonly number[]): Promise<void> {
         const { state, view } = this.options;
         const recording = this.progress.value;
-        const looked = spread(times, looksAtMost);
-        for (const [i, time] of automaticRanges(state, view).size === 0 ? [] : looked.entries()) {
-            this.progress.value = { ...recording, state: 'measuring', done: i, frames: looked.length };
+        const sampled = spread(times, maxRangeSamples);
+        for (const [i, time] of automaticRanges(state, view).size === 0 ? [] : sampled.entries()) {
+            this.progress.value = { ...recording, state: 'measuring', done: i, frames: sampled.length };
             await this.show(time);
         }
         view.fixedRanges.value = automaticRanges(state, view);
@@ -149,7 +149,7 @@ export class FilmMaker {
         else playback.release(time, this.options.edits.gestures.current);
         // Another user may have moved the clock since.
         const retry = moving
-            ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), askAgainMs)
+            ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), resendEveryMs)
             : undefined;
         try {
             await this.until(() => {

@@ -4,7 +4,7 @@ import { AppState } from '../../state/appState.ts';
 import { answering } from '../../testing/fakes.ts';
 import { displayedOf } from '../../testing/records.ts';
 import { CallError } from '../../worker/workerClient.ts';
-import { leastBetweenMs, mostBytes, restMs, Thumbnails } from './thumbnails.ts';
+import { leastBetweenMs, maxBytes, restMs, Thumbnails } from './thumbnails.ts';
 
 class Bench {
     state = new AppState();
@@ -104,11 +104,11 @@ describe('a picture of the session for the list', () => {
 
     it('is made worse until the server takes it, and not sent where that does not do', async () => {
         const bench = new Bench();
-        bench.whole = 2 * mostBytes;
+        bench.whole = 2 * maxBytes;
         bench.edit();
         await vi.advanceTimersByTimeAsync(2 * restMs);
-        expect(bench.sent).toEqual([`session.thumbnail ${mostBytes}`]);
-        bench.whole = 5 * mostBytes;
+        expect(bench.sent).toEqual([`session.thumbnail ${maxBytes}`]);
+        bench.whole = 5 * maxBytes;
         bench.edit();
         await vi.advanceTimersByTimeAsync(2 * leastBetweenMs);
         expect(bench.sent).toHaveLength(1);

@@ -11,12 +11,12 @@ import type { UndoHistory } from '../edits/undoHistory.ts';
 export const restMs = 4000;
 export const leastBetweenMs = 30_000;
 /** Looked again whether the surface is final. */
-const lookAgainMs = 1000;
+const retryAfterMs = 1000;
 /** Patches reach the page that caused them before or after their answer. */
 const echoMs = 1000;
 const thumbnailSize = { width: 320, height: 200 };
 /** The largest picture that the server keeps, in bytes. */
-export const mostBytes = 24 << 10;
+export const maxBytes = 24 << 10;
 const qualities = [0.85, 0.7, 0.5, 0.3];
 /** So the server does not know the method, or does not want one from here. */
 const hopeless: ReadonlySet<number> = new Set([errorCodes.methodNotFound, errorCodes.notPermitted]);
@@ -81,7 +81,7 @@ export class Thumbnails {
         if (this.any > this.own + echoMs || state.locked.value) return;
         const resting = this.now() - this.own >= restMs;
         if (resting && state.phase.value === 'final' && !state.editsPending.value && !busy()) void this.send();
-        else this.wait(lookAgainMs);
+        else this.wait(retryAfterMs);
     }
 
     private async send(): Promise<void> {
@@ -104,7 +104,7 @@ export class Thumbnails {
         for (const quality of qualities) {
             const blob = await this.encode(picture, quality);
             if (blob === null) return null;
-            if (blob.size > mostBytes) continue;
+            if (blob.size > maxBytes) continue;
             const bytes = new Uint8Array(await blob.arrayBuffer());
             return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
         }

@@ -2,7 +2,7 @@
 import type { EncodedFrame, Film } from './webm.ts';
 
 const keyEverySeconds = 2;
-const queueAtMost = 3;
+const maxQueuedFrames = 3;
 const bitsPerPixel = 0.18;
 
 /** In the order in which they are tried; the second part of VP9's is its level, which bounds the size. */
@@ -71,7 +71,7 @@ export class VideoEncoding {
         this.encoder.encode(frame, { keyFrame: this.count % Math.round(keyEverySeconds * fps) === 0 });
         frame.close();
         ++this.count;
-        while (this.running && this.encoder.encodeQueueSize > queueAtMost) {
+        while (this.running && this.encoder.encodeQueueSize > maxQueuedFrames) {
             await new Promise<void>((resolve) => {
                 this.wake = resolve;
                 this.encoder.addEventListener('dequeue', () => resolve(), { once: true });

@@ -73,7 +73,7 @@ export interface RakesByHandOptions {
 export function connectRakes({ state, view, scene, edits, people, ownCopy }: RakesByHandOptions): void {
     scene.interaction.connect({
         mayMove: () => !state.locked.value,
-        refused: () => tellLocked(state, view, ownCopy),
+        refused: () => announceLocked(state, view, ownCopy),
         hasPointer: () => view.tool.value === 'none' || view.tool.value === 'place',
         moved: (move) => {
             edits.moveRake(move);
@@ -86,7 +86,7 @@ export function connectRakes({ state, view, scene, edits, people, ownCopy }: Rak
     });
 }
 
-function tellLocked(
+function announceLocked(
     { role, activeRake, notices }: RakesByHandOptions['state'],
     view: RakesByHandOptions['view'],
     copy: Pick<OwnCopy, 'begin'>,

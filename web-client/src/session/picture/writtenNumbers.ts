@@ -11,7 +11,7 @@ type TimeState = Pick<AppState, 'dataset' | 'surfaces'>;
 type PlaceState = Pick<AppState, 'dataset'>;
 
 /** Shorter times have an exponent. */
-const mostDecimals = 6;
+const maxDecimals = 6;
 const steps = new WeakMap<readonly number[], number>();
 
 /** Returns the resolution of all time-steps and surfaces; 0 where there is only one time. */
@@ -39,7 +39,7 @@ export function timeField(state: TimeState, time: number): string {
  *  runs. */
 export function clockText(state: TimeState, time: number, runs: boolean): string {
     const decimals = -Math.ceil(Math.log10(timeResolution(state)) - 1e-9);
-    if (!Number.isFinite(time) || !(decimals <= mostDecimals)) return timeField(state, time);
+    if (!Number.isFinite(time) || !(decimals <= maxDecimals)) return timeField(state, time);
     const text = time.toFixed(Math.max(0, decimals));
     return runs ? text : String(Number(text));
 }

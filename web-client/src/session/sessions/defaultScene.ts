@@ -6,7 +6,7 @@ import { errorCodes } from '../../protocol/generated/errors.ts';
 import type { SessionSnapshot } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
-import { tellUnlessCut } from '../base/calls.ts';
+import { announceUnlessDisconnected } from '../base/calls.ts';
 
 export function isEmpty({ rakes, surfaces, bookmarks, annotations }: SessionSnapshot): boolean {
     return rakes.length + surfaces.length + bookmarks.length + annotations.length === 0;
@@ -86,7 +86,7 @@ export class Suggestions {
             state.problems.solved('suggestion');
         } catch (error) {
             this.requested = { dataset: '', steps: 0 };
-            tellUnlessCut(state.problems, 'suggestion', error);
+            announceUnlessDisconnected(state.problems, 'suggestion', error);
         }
     }
 }

@@ -75,7 +75,7 @@ export interface KnownSession {
     dataset: string;
 }
 
-const mostKnown = 20;
+const maxKnownSessions = 20;
 
 /** Several servers may be behind one name, each under a path of its own. */
 const kept = (): string => `sessions ${location.pathname.replace(/[^/]*$/, '')}`;
@@ -91,7 +91,7 @@ function knownSessions(): KnownSession[] {
 
 export function rememberSession(known: KnownSession): void {
     const others = knownSessions().filter(({ session }) => session !== known.session);
-    keep(kept(), JSON.stringify([known, ...others].slice(0, mostKnown)));
+    keep(kept(), JSON.stringify([known, ...others].slice(0, maxKnownSessions)));
 }
 
 /** The one that was visited last. @param dataset only where this was shown; null: any */

@@ -230,11 +230,11 @@ async function fetchThumbnail(server: Server, session: string): Promise<Blob | n
     return reply.ok ? reply.blob() : null;
 }
 
-const mostBytes = 120;
+const maxBytes = 120;
 
 /** Cut between characters, so that it and what is put behind it fit. */
 export function fitting(name: string, end = ''): string {
     const characters = [...name];
-    while (new TextEncoder().encode(characters.join('') + end).length > mostBytes) characters.pop();
+    while (new TextEncoder().encode(characters.join('') + end).length > maxBytes) characters.pop();
     return characters.join('') + end;
 }

@@ -8,10 +8,10 @@ import { type AppState, withEntry, withoutEntry } from '../../state/appState.ts'
 import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { SurfaceState } from '../../worker/workerMessages.ts';
-import { tellUnlessCut } from '../base/calls.ts';
+import { announceUnlessDisconnected } from '../base/calls.ts';
 
 const firstPauseMs = 500;
-const troublesAtMost = 4;
+const maxTroubles = 4;
 
 export interface SurfaceFeedOptions {
     state: AppState;
@@ -82,7 +82,7 @@ export class SurfaceFeed {
         if (!this.subscribed.has(surface)) return;
         const troubles = (this.troubles.get(surface) ?? 0) + 1;
         this.troubles.set(surface, troubles);
-        if (troubles > troublesAtMost) {
+        if (troubles > maxTroubles) {
             state.notices.say(`surface ${surface}`, `The surface cannot be shown: ${reason}. Reload the page.`);
             return;
         }
@@ -198,7 +198,9 @@ export class SurfaceFeed {
             this.hidden.delete(surface);
             // Without a connection it is subscribed with the others, when there is one again.
             if (state.stage.value !== 'running' || !state.surfaces.value.has(surface)) continue;
-            this.subscribe(surface).catch((error: unknown) => tellUnlessCut(state.notices, `surface ${surface}`, error));
+            this.subscribe(surface).catch((error: unknown) =>
+                announceUnlessDisconnected(state.notices, `surface ${surface}`, error),
+            );
         }
     }
 

@@ -3,7 +3,7 @@ import { EditWindow } from '../../connection/editWindow.ts';
 import type { ClockRecord, ParamsOf } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { isDisconnected, tellUnlessCut } from '../base/calls.ts';
+import { isDisconnected, announceUnlessDisconnected } from '../base/calls.ts';
 
 export interface ClockControlOptions {
     state: AppState;
@@ -67,7 +67,7 @@ export class ClockControl {
             problems.solved('clock');
             return true;
         } catch (error) {
-            tellUnlessCut(problems, 'clock', error);
+            announceUnlessDisconnected(problems, 'clock', error);
             return isDisconnected(error);
         }
     }

@@ -13,7 +13,7 @@ import { clampTo, nearestStep, type Span, stepFrom } from './timeSteps.ts';
 
 /** The whole in this time at normal speed. */
 const secondsForAll = 10;
-const lookEveryMs = 30;
+const pollEveryMs = 30;
 
 export interface PlaybackOptions {
     state: AppState;
@@ -174,15 +174,15 @@ export class Playback {
     /** A multiple of the normal speed. */
     async setSpeed(factor: number): Promise<void> {
         this.chosenFactor.value = factor;
-        await this.tellIfRunning();
+        await this.sendIfRunning();
     }
 
     async setLoop(loop: boolean): Promise<void> {
         this.chosenLoop.value = loop;
-        await this.tellIfRunning();
+        await this.sendIfRunning();
     }
 
-    private async tellIfRunning(): Promise<void> {
+    private async sendIfRunning(): Promise<void> {
         if (this.mode.value === 'clock') {
             // What is chosen before the clock has started is told when it has.
             if (this.playing.value && !this.telling) await this.playClock();
@@ -214,16 +214,16 @@ export class Playback {
             return;
         }
         const due = since + (1000 * this.frozenPause(at, next)) / this.speed.value;
-        const look = (): void => {
+        const poll = (): void => {
             if (this.timer.now() < due || !this.pictureIsThere()) {
-                this.waiting = this.timer.after(lookEveryMs, look);
+                this.waiting = this.timer.after(pollEveryMs, poll);
                 return;
             }
             this.release(next, this.options.edits.gestures.current);
             this.waiting = null;
             this.playFrozen();
         };
-        this.waiting = this.timer.after(lookEveryMs, look);
+        this.waiting = this.timer.after(pollEveryMs, poll);
     }
 
     private nextFrozen(at: number): number | null {

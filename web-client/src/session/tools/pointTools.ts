@@ -7,7 +7,7 @@ import type { ScreenPoint } from '../../scene/base/view.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ProbeReading, ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { tellUnlessCut } from '../base/calls.ts';
+import { announceUnlessDisconnected } from '../base/calls.ts';
 import { shownTime } from '../time/timeSteps.ts';
 
 export interface Aim {
@@ -145,7 +145,7 @@ export class Probing implements PointerTool {
             if (missed !== this.missed) return;
             pageView.probe.value = { point, time, inside: inside[0] === true, values: Object.entries(values).map(at) };
         } catch (error) {
-            tellUnlessCut(state.problems, 'probe', error);
+            announceUnlessDisconnected(state.problems, 'probe', error);
         } finally {
             this.asking = false;
             requestFrame();

@@ -40,7 +40,7 @@ describe('the view of a session that is made again', () => {
         view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, { ...usualLook, ...look }]));
         [state.activeRake.value, state.activeSurface.value] = ['r2', 's7'];
 
-        views.madeAnew({ rakes: new Map([['r2', 'r1']]), surfaces: new Map([['s7', 's4']]) });
+        views.recovered({ rakes: new Map([['r2', 'r1']]), surfaces: new Map([['s7', 's4']]) });
         expect([...view.looks.value]).toEqual([['s4', { ...usualLook, opacity: 0.7 }]]);
         expect([state.activeRake.value, state.activeSurface.value]).toEqual(['r1', 's4']);
         expect(url.state?.view).toEqual({ surface: 's4', looks: { s4: { opacity: 0.7 } }, masks: { s4: 'linked' } });
@@ -63,7 +63,7 @@ describe('the view of a session that is made again', () => {
         const views = new Views({ state, view, scene, url });
         const painted = { ...usualLook, opacity: 0.4, painting: true };
         view.looks.value = new Map(['s4', 's7'].map((id) => [id, painted]));
-        views.madeAnew({
+        views.recovered({
             rakes: new Map(),
             surfaces: new Map([
                 ['s4', 's1'],

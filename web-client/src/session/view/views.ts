@@ -22,7 +22,7 @@ import type { Recovered } from './sessionRecovery.ts';
 /** Browsers refuse more than 100 changes of the address in 30 s. */
 const addressRestMs = 500;
 /** Characters of all masks together: bookmarks have 4 KiB, and links should pass through chats. */
-const masksAtMost = 1600;
+const maxMaskChars = 1600;
 
 export interface ViewsOptions {
     state: AppState;
@@ -109,7 +109,7 @@ export class Views {
     }
 
     /** Renames the records of the view: it goes on with them. */
-    madeAnew({ rakes, surfaces }: Pick<Recovered, 'rakes' | 'surfaces'>): void {
+    recovered({ rakes, surfaces }: Pick<Recovered, 'rakes' | 'surfaces'>): void {
         const { state, view, url, scene } = this.options;
         const renamed = <Value>(each: Iterable<[string, Value]>): [string, Value][] =>
             [...each].flatMap(([id, value]): [string, Value][] => {
@@ -151,7 +151,7 @@ export class Views {
         const { state, view, scene } = this.options;
         const leftOut = new Set<string>();
         const masks: [string, string][] = [];
-        let room = masksAtMost;
+        let room = maxMaskChars;
         for (const [id, look] of view.looks.value) {
             if (!look.painting || !state.surfaces.value.has(id)) continue;
             const code = scene.surfaces.maskCode(id);

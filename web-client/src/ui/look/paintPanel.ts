@@ -2,7 +2,7 @@
 // which can be hidden.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { SurfacePart } from '../../mesh/meshChange.ts';
-import { partsAtMost, type SurfaceLook } from '../../state/surfaceLook.ts';
+import { maxHiddenParts, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { Brush, ViewState } from '../../state/viewState.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -107,8 +107,8 @@ export class PaintPanel extends LookGroup<PaintModel> {
                 )}
             ${more > 0 ? html`<p class="quiet">and ${more} more; to hide one, click it in the picture</p>` : nothing}
             ${
-                look.hiddenParts.length > partsAtMost
-                    ? html`<p role="status">A link or a saved view hides only the first ${partsAtMost} of these parts.</p>`
+                look.hiddenParts.length > maxHiddenParts
+                    ? html`<p role="status">A link or a saved view hides only the first ${maxHiddenParts} of these parts.</p>`
                     : nothing
             }
             <div class="buttons">

@@ -5,7 +5,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
 import { coarseCaption, pictureIsCoarse, timeInName } from '../../session/out/exportNames.ts';
 import type { Figure } from '../../session/out/figure.ts';
-import { type FilmMaker, type FilmProgress, framesAtMost, frameTimes } from '../../session/out/film.ts';
+import { type FilmMaker, type FilmProgress, maxFrames, frameTimes } from '../../session/out/film.ts';
 import { canEncode } from '../../session/out/videoEncoding.ts';
 import { timeText, timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Playback } from '../../session/time/playback.ts';
@@ -134,7 +134,7 @@ export class FilmExport extends ModelElement<FilmExportModel> {
             ${filmSize.render(figure.shownSize)}
             ${selectRow('film-fps', 'Frames per second', rates, fps.value, (rate) => (fps.value = rate))}
             ${numberRow('Length in seconds', {
-                ...{ id: 'film-seconds', min: 0.1, max: framesAtMost / fps.value, shown: String(seconds.value) },
+                ...{ id: 'film-seconds', min: 0.1, max: maxFrames / fps.value, shown: String(seconds.value) },
                 change: (typed) => void (seconds.value = typed),
             })}
             ${checkRow('Time in the picture', time.value, (on) => (time.value = on))}

@@ -20,7 +20,7 @@ beforeEach(async () => {
     const choose = (name: string): Promise<void> => Promise.resolve(void asked.push(name));
     banner = await ShownPanel.of('wakesurf-banner', {
         ...{ state: bench.state, view: bench.view, imports: { left, resume: note('resume'), stop: note('stop'), choose } },
-        ...{ retryNow: note('retry'), restoreSession: note('restore'), makeSessionAgain: note('make again') },
+        ...{ retryNow: note('retry'), restoreSession: note('restore'), recoverSession: note('make again') },
     });
 });
 

@@ -68,7 +68,7 @@ export interface BannerModel {
     takeLink: (text: string) => boolean;
     /** Does what can be done where the session of this page is gone. */
     restoreSession: () => Promise<void>;
-    makeSessionAgain: () => Promise<void>;
+    recoverSession: () => Promise<void>;
 }
 
 export class Banner extends ModelElement<BannerModel> {
@@ -231,7 +231,7 @@ export class Banner extends ModelElement<BannerModel> {
             }
             ${
                 restorableUntil === null && remembered
-                    ? html`<button type="button" @click=${() => this.model.makeSessionAgain()}>Recreate it</button>`
+                    ? html`<button type="button" @click=${() => this.model.recoverSession()}>Recreate it</button>`
                     : nothing
             }
             <button type="button" @click=${() => (this.model.view.sessionsShown.value = true)}>Sessions</button>
