@@ -19,148 +19,6 @@ import { countWords, phaseWords } from '../base/words.ts';
 import { downloadMesh } from '../out/meshExport.ts';
 import '../surface/qualityPanel.ts';
 
-export interface LongPassModel {
-    state: AppState;
-    view: Pick<ViewState, 'lookOf' | 'units'>;
-    edits: Pick<Edits, 'changeSurface' | 'intent'>;
-    mesh: MeshDownload;
-}
-
-/** A surface that takes long. */
-export class LongPass extends ModelElement<LongPassModel> {
-    static override styles = css`
-        p {
-            margin: 0 0 4px;
-        }
-        [role='group'] {
-            display: flex;
-            flex-wrap: wrap;
-            gap: 6px;
-            margin: 0 0 8px;
-        }
-    `;
-
-    override render(): TemplateResult {
-        const { state, view } = this.model;
-        const status = state.progress.value;
-        if (status === null || status.lasting === 'briefly') return html``;
-        return html`<p class="value" id="standing">${progressWords(status, state, view)}</p>
-            ${status.lasting === 'long' ? this.offers() : nothing}`;
-    }
-
-    private offers(): TemplateResult {
-        const { state, view, edits } = this.model;
-        const intent = edits.intent.value;
-        const status = state.progress.value;
-        const may = intent !== null && status !== null && !state.locked.value;
-        const until = may ? untilHere(intent, status, view) : null;
-        return html`<p>This takes long. Instead:</p>
-            <div role="group" aria-label="Instead of waiting">
-                ${may ? faster(intent, view).map((less) => this.less(less, 'Compute a surface that is there sooner')) : nothing}
-                ${until === null ? nothing : this.less(until, 'End the surface where the work has come to')}
-                ${
-                    meshIsCoarse(state)
-                        ? html`<button
-                              type="button"
-                              title="Download the mesh that is shown; the name of the file says that it is coarse"
-                              @click=${() => downloadMesh(this.model, true)}
-                          >
-                              As it is now
-                          </button>`
-                        : nothing
-                }
-            </div>`;
-    }
-
-    private less({ change, words }: LessWork, title: string): TemplateResult {
-        return html`<button type="button" title=${title} @click=${() => this.model.edits.changeSurface(change)}>${words}</button>`;
-    }
-}
-
-customElements.define('wakesurf-long-pass', LongPass);
-
-const partWords: Record<LatencyPart, string> = {
-    network: 'Network round trip',
-    queue: 'Waiting in the queue',
-    load: 'Reading the data',
-    compute: 'Computing',
-    encode: 'Encoding',
-    decode: 'Decoding',
-    draw: 'Drawing',
-    rest: 'Waiting for frames',
-};
-
-export interface LatencyModel {
-    state: Pick<AppState, 'latency' | 'roundTripMs'>;
-}
-
-/** How long the newest edit took until it was on the screen, and where that time went. */
-export class LatencyPanel extends ModelElement<LatencyModel> {
-    private readonly open = signal(false);
-
-    static override styles = css`
-        :host {
-            display: block;
-        }
-        summary span {
-            float: right;
-            color: var(--text);
-        }
-        dl {
-            grid-template-columns: 1fr 70px auto;
-            gap: 2px 8px;
-            align-items: center;
-            margin: 4px 0 0;
-            font-size: 12px;
-        }
-        summary {
-            font-variant-numeric: tabular-nums;
-        }
-        meter {
-            width: 100%;
-            height: 10px;
-        }
-    `;
-
-    override render(): TemplateResult {
-        const sample = this.model.state.latency.value;
-        const roundTrip = this.model.state.roundTripMs.value;
-        return html`<details id="latency" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
-            <summary class="quiet">
-                Edit to picture
-                <span id="latency-total">${sample === null ? '–' : `${Math.round(sample.milliseconds)} ms`}</span>
-            </summary>
-            <dl>
-                ${
-                    !this.open.value
-                        ? nothing
-                        : sample === null
-                          ? html`<dt>There and back</dt>
-                          <dd></dd>
-                          <dd>${roundTrip === null ? '–' : words(roundTrip)}</dd>`
-                          : latencyParts.map(
-                                (part) => html`<dt>${partWords[part]}</dt>
-                              <dd>
-                                  <meter
-                                      aria-label=${partWords[part]}
-                                      max=${sample.milliseconds}
-                                      .value=${sample.parts[part]}
-                                  ></meter>
-                              </dd>
-                              <dd data-part=${part}>${words(sample.parts[part])}</dd>`,
-                            )
-                }
-            </dl>
-        </details>`;
-    }
-}
-
-function words(milliseconds: number): string {
-    return `${milliseconds < 10 ? milliseconds.toFixed(1) : Math.round(milliseconds)} ms`;
-}
-
-customElements.define('wakesurf-latency', LatencyPanel);
-
 export interface StatusModel {
     state: AppState;
     view: Pick<ViewState, 'units'>;
@@ -328,3 +186,145 @@ function errorWords(stats: StatedError, unit: string): string {
 }
 
 customElements.define('wakesurf-status', StatusPanel);
+
+export interface LongPassModel {
+    state: AppState;
+    view: Pick<ViewState, 'lookOf' | 'units'>;
+    edits: Pick<Edits, 'changeSurface' | 'intent'>;
+    mesh: MeshDownload;
+}
+
+/** A surface that takes long. */
+export class LongPass extends ModelElement<LongPassModel> {
+    static override styles = css`
+        p {
+            margin: 0 0 4px;
+        }
+        [role='group'] {
+            display: flex;
+            flex-wrap: wrap;
+            gap: 6px;
+            margin: 0 0 8px;
+        }
+    `;
+
+    override render(): TemplateResult {
+        const { state, view } = this.model;
+        const status = state.progress.value;
+        if (status === null || status.lasting === 'briefly') return html``;
+        return html`<p class="value" id="standing">${progressWords(status, state, view)}</p>
+            ${status.lasting === 'long' ? this.offers() : nothing}`;
+    }
+
+    private offers(): TemplateResult {
+        const { state, view, edits } = this.model;
+        const intent = edits.intent.value;
+        const status = state.progress.value;
+        const may = intent !== null && status !== null && !state.locked.value;
+        const until = may ? untilHere(intent, status, view) : null;
+        return html`<p>This takes long. Instead:</p>
+            <div role="group" aria-label="Instead of waiting">
+                ${may ? faster(intent, view).map((less) => this.less(less, 'Compute a surface that is there sooner')) : nothing}
+                ${until === null ? nothing : this.less(until, 'End the surface where the work has come to')}
+                ${
+                    meshIsCoarse(state)
+                        ? html`<button
+                              type="button"
+                              title="Download the mesh that is shown; the name of the file says that it is coarse"
+                              @click=${() => downloadMesh(this.model, true)}
+                          >
+                              As it is now
+                          </button>`
+                        : nothing
+                }
+            </div>`;
+    }
+
+    private less({ change, words }: LessWork, title: string): TemplateResult {
+        return html`<button type="button" title=${title} @click=${() => this.model.edits.changeSurface(change)}>${words}</button>`;
+    }
+}
+
+customElements.define('wakesurf-long-pass', LongPass);
+
+const partWords: Record<LatencyPart, string> = {
+    network: 'Network round trip',
+    queue: 'Waiting in the queue',
+    load: 'Reading the data',
+    compute: 'Computing',
+    encode: 'Encoding',
+    decode: 'Decoding',
+    draw: 'Drawing',
+    rest: 'Waiting for frames',
+};
+
+export interface LatencyModel {
+    state: Pick<AppState, 'latency' | 'roundTripMs'>;
+}
+
+/** How long the newest edit took until it was on the screen, and where that time went. */
+export class LatencyPanel extends ModelElement<LatencyModel> {
+    private readonly open = signal(false);
+
+    static override styles = css`
+        :host {
+            display: block;
+        }
+        summary span {
+            float: right;
+            color: var(--text);
+        }
+        dl {
+            grid-template-columns: 1fr 70px auto;
+            gap: 2px 8px;
+            align-items: center;
+            margin: 4px 0 0;
+            font-size: 12px;
+        }
+        summary {
+            font-variant-numeric: tabular-nums;
+        }
+        meter {
+            width: 100%;
+            height: 10px;
+        }
+    `;
+
+    override render(): TemplateResult {
+        const sample = this.model.state.latency.value;
+        const roundTrip = this.model.state.roundTripMs.value;
+        return html`<details id="latency" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
+            <summary class="quiet">
+                Edit to picture
+                <span id="latency-total">${sample === null ? '–' : `${Math.round(sample.milliseconds)} ms`}</span>
+            </summary>
+            <dl>
+                ${
+                    !this.open.value
+                        ? nothing
+                        : sample === null
+                          ? html`<dt>There and back</dt>
+                          <dd></dd>
+                          <dd>${roundTrip === null ? '–' : words(roundTrip)}</dd>`
+                          : latencyParts.map(
+                                (part) => html`<dt>${partWords[part]}</dt>
+                              <dd>
+                                  <meter
+                                      aria-label=${partWords[part]}
+                                      max=${sample.milliseconds}
+                                      .value=${sample.parts[part]}
+                                  ></meter>
+                              </dd>
+                              <dd data-part=${part}>${words(sample.parts[part])}</dd>`,
+                            )
+                }
+            </dl>
+        </details>`;
+    }
+}
+
+function words(milliseconds: number): string {
+    return `${milliseconds < 10 ? milliseconds.toFixed(1) : Math.round(milliseconds)} ms`;
+}
+
+customElements.define('wakesurf-latency', LatencyPanel);
