@@ -27,7 +27,7 @@ using core::Error;
 
 constexpr int position_bits = 20;
 constexpr int value_bits = 16;
-constexpr int speed = 3;
+constexpr int encoding_speed = 3;
 
 /// Larger coordinates, and their differences, overflow in Draco's arithmetic.
 constexpr float largest = 1e38F;
@@ -172,7 +172,7 @@ void describe(draco::Mesh& mesh,
 core::Result<DracoMesh> encode(const draco::Mesh& mesh) {
     draco::ExpertEncoder encoder(mesh);
     encoder.SetEncodingMethod(draco::MESH_EDGEBREAKER_ENCODING);
-    encoder.SetSpeedOptions(speed, speed);
+    encoder.SetSpeedOptions(encoding_speed, encoding_speed);
     encoder.SetTrackEncodedProperties(true);
     // SetAttributeExplicitQuantization would store the numbers as text with six decimals (Draco 1.5).
     for (int id = 0; id < mesh.num_attributes(); ++id)

@@ -179,10 +179,10 @@ core::Result<std::vector<FoamPatch>> read_foam_patches(const fs::path& file,
                 out.back().part_of = *(at + 1);
         }
         if (*at == "inGroups" && depth == 1)
-            for (auto name = std::find(at, tokens.end(), "("); name != tokens.end() && *name != ")";
-                 ++name)
-                if (*name != "(")
-                    out.back().groups.emplace_back(*name);
+            for (auto group = std::find(at, tokens.end(), "(");
+                 group != tokens.end() && *group != ")"; ++group)
+                if (*group != "(")
+                    out.back().groups.emplace_back(*group);
         if (*at == "nFaces" && depth == 1 && at + 1 != tokens.end()) {
             const auto number = *(at + 1);
             const char* const end = number.data() + number.size();
