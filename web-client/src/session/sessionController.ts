@@ -251,10 +251,10 @@ export class SessionController {
     /** The address asks for a dataset, and the session shows another. */
     private sayDataset(shown: string): void {
         const { state, url } = this.options;
-        const asked = url.dataset;
-        if (asked === null || asked === shown) return;
+        const requested = url.dataset;
+        if (requested === null || requested === shown) return;
         url.dataset = null;
-        const [there, here] = [asked, shown].map((id) => state.datasets.value.find(({ dataset }) => dataset === id)?.name);
+        const [there, here] = [requested, shown].map((id) => state.datasets.value.find(({ dataset }) => dataset === id)?.name);
         state.notices.say(
             'dataset',
             there === undefined
@@ -289,14 +289,14 @@ export class SessionController {
         const { feed, edits } = this.options;
         feed.reset();
         edits.reconnected();
-        const asked = new Set<string>();
+        const subscribed = new Set<string>();
         const next = (): string | undefined => {
             const { surfaces } = this.options.state;
-            return [...surfaces.value.keys()].find((surface) => !asked.has(surface));
+            return [...surfaces.value.keys()].find((surface) => !subscribed.has(surface));
         };
         // Others make and delete surfaces meanwhile.
         for (let surface = next(); surface !== undefined; surface = next()) {
-            asked.add(surface);
+            subscribed.add(surface);
             await this.subscribe(surface);
         }
     }

@@ -43,15 +43,15 @@ export function readPageView(value: unknown): PageView {
     }
     if (clip !== undefined) view.clip = decodeClip(clip);
     if (bodyTexture === true) view.bodyTexture = true;
-    const kept = encodeVisibility(decodeVisibility(shown));
-    if (kept !== undefined) view.shown = kept;
+    const encoded = encodeVisibility(decodeVisibility(shown));
+    if (encoded !== undefined) view.shown = encoded;
     return view;
 }
 
 /** Returns the view of the same surfaces under other names; what is of one that is not among them is left
  *  out. */
 export function renamedView(
-    { surface, looks, masks, shown, ...kept }: PageView,
+    { surface, looks, masks, shown, ...rest }: PageView,
     names: ReadonlyMap<string, string>,
     rakes: ReadonlyMap<string, string>,
 ): PageView {
@@ -65,7 +65,7 @@ export function renamedView(
     const now = names.get(surface ?? '');
     const stillShown = encodeVisibility(renamedVisibility(decodeVisibility(shown), rakes, names));
     return {
-        ...kept,
+        ...rest,
         ...(now === undefined ? {} : { surface: now }),
         ...(looks === undefined ? {} : { looks: renamed(looks) }),
         ...(masks === undefined ? {} : { masks: renamed(masks) }),
@@ -123,10 +123,10 @@ export function renamedVisibility(
 /** For JSON; undefined where everything is shown and free. */
 export function encodeVisibility({ hiddenRakes, hiddenSurfaces, alone, lockedRakes }: Visibility): object | undefined {
     const lists = { rakes: hiddenRakes, surfaces: hiddenSurfaces, locked: lockedRakes };
-    const kept = Object.entries(lists).filter(([, ids]) => ids.size > 0);
-    if (kept.length === 0 && !alone) return undefined;
+    const nonEmpty = Object.entries(lists).filter(([, ids]) => ids.size > 0);
+    if (nonEmpty.length === 0 && !alone) return undefined;
     return {
-        ...Object.fromEntries(kept.map(([name, ids]) => [name, [...ids].slice(0, maxIds)])),
+        ...Object.fromEntries(nonEmpty.map(([name, ids]) => [name, [...ids].slice(0, maxIds)])),
         ...(alone ? { alone } : {}),
     };
 }

@@ -145,8 +145,8 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
 /** Returns what differs from the usual, for a link or a bookmark. */
 export function encodeLook(look: SurfaceLook): Partial<SurfaceLook> {
     const differs = (name: keyof SurfaceLook): boolean => JSON.stringify(look[name]) !== JSON.stringify(usualLook[name]);
-    const kept = { ...look, hiddenParts: look.hiddenParts.slice(0, maxHiddenParts) };
-    return Object.fromEntries(Object.entries(kept).filter(([name]) => differs(name as keyof SurfaceLook)));
+    const saved = { ...look, hiddenParts: look.hiddenParts.slice(0, maxHiddenParts) };
+    return Object.fromEntries(Object.entries(saved).filter(([name]) => differs(name as keyof SurfaceLook)));
 }
 
 /** Never throws. */

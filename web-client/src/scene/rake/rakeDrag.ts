@@ -86,9 +86,9 @@ function moved(drag: Drag, pointer: ScreenPoint, target: ScreenPoint, view: View
 function gridded(to: Vec3, anchor: Vec3, axis: Axis | null, step: number): Vec3 {
     const snapped = onGrid(to, step);
     if (axis === null) return snapped;
-    const kept: Vec3 = [...anchor];
-    kept[axis] = snapped[axis];
-    return kept;
+    const point: Vec3 = [...anchor];
+    point[axis] = snapped[axis];
+    return point;
 }
 
 /** In the plane that faces the camera, so that the handle stays under the pointer. */

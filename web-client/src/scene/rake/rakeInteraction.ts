@@ -252,14 +252,14 @@ export function withCoordinate(shape: RakeShape, handle: Handle, axis: Axis, typ
 
 function movedTo(shape: RakeShape, handle: Handle, axis: Axis, typed: number, bounds: Bounds): RakeShape {
     const [low, high] = [bounds[2 * axis]!, bounds[2 * axis + 1]!];
-    const kept = Math.min(high, Math.max(low, typed));
+    const clamped = Math.min(high, Math.max(low, typed));
     if (shape.kind !== 'circle' && typeof handle === 'number') {
         // As typed, not as before plus the difference.
-        const points = shape.points.map((point, i) => (i === handle ? (point.with(axis, kept) as typeof point) : point));
+        const points = shape.points.map((point, i) => (i === handle ? (point.with(axis, clamped) as typeof point) : point));
         return { kind: shape.kind, points };
     }
     const before = coordinateOf(shape, handle, axis);
-    let by = kept - before;
+    let by = clamped - before;
     if (shape.kind !== 'circle') {
         // The whole rake moves, as far as all of it stays inside.
         const along = shape.points.map((point) => point[axis]);

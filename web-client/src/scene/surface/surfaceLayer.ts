@@ -215,8 +215,8 @@ export class SurfaceLayer {
     }
 
     private newMask({ id, mesh }: DrawnSurface): SurfaceMask {
-        const kept = this.wishedMasks.get(id) ?? '';
-        const wished = typeof kept === 'string' ? decodeMask(kept) : kept;
+        const mask = this.wishedMasks.get(id) ?? '';
+        const wished = typeof mask === 'string' ? decodeMask(mask) : mask;
         this.wishedMasks.delete(id);
         const [low, high] = mesh.tRange;
         // One of other times altogether has nothing to do with this surface, and would be doubled for long to

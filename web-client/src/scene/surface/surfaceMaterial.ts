@@ -252,7 +252,7 @@ export class SurfaceMaterials {
 export class SurfaceTextures {
     readonly blank = new DataTexture(Uint8Array.of(255), 1, 1, RedFormat, UnsignedByteType);
     private readonly tables = new Map<ColourMapName, DataTexture>();
-    private readonly kept = new Map<boolean, DataArrayTexture>();
+    private readonly noises = new Map<boolean, DataArrayTexture>();
 
     constructor() {
         this.blank.needsUpdate = true;
@@ -260,14 +260,14 @@ export class SurfaceTextures {
 
     /** Made when it is first needed, which takes a tenth of a second. */
     noise(moving: boolean): DataArrayTexture {
-        const known = this.kept.get(moving);
+        const known = this.noises.get(moving);
         if (known !== undefined) return known;
         const texture = new DataArrayTexture(smearedNoise(moving), noiseSize, noiseSize, directions + 1);
         texture.format = moving ? RGBAFormat : RGFormat;
         texture.minFilter = texture.magFilter = LinearFilter;
         texture.wrapS = texture.wrapT = RepeatWrapping;
         texture.needsUpdate = true;
-        this.kept.set(moving, texture);
+        this.noises.set(moving, texture);
         return texture;
     }
 

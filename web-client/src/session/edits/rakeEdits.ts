@@ -82,24 +82,24 @@ export class RakeEdits {
         if (rake === null) return;
         const gesture = this.drag?.rake === rake ? this.drag.gesture : this.options.gestures.begin();
         this.drag = dragging ? { rake, gesture } : null;
-        const kept = dragging ? shape : this.inDomain(shape);
+        const fitted = dragging ? shape : this.inDomain(shape);
         // The numbers in the panel need not follow every frame: drawing text costs as much as the surface.
         if (!dragging || movedAt - this.numbersShownAt > numbersEveryMs) {
             this.numbersShownAt = movedAt;
-            state.rakeShape.value = kept;
+            state.rakeShape.value = fitted;
         }
-        this.submit(rake, { shape: kept }, { dragging, editedAt: movedAt, gesture });
+        this.submit(rake, { shape: fitted }, { dragging, editedAt: movedAt, gesture });
     }
 
     change(rake: string, change: RakeChange): void {
         const editedAt = performance.now();
-        const kept = change.shape === undefined ? change : { ...change, shape: this.inDomain(change.shape) };
+        const fitted = change.shape === undefined ? change : { ...change, shape: this.inDomain(change.shape) };
         if (rake === this.options.state.activeRake.value) {
-            if (kept.shape !== undefined) this.options.state.rakeShape.value = kept.shape;
-            if (kept.seeds !== undefined) this.seeds.value = kept.seeds;
+            if (fitted.shape !== undefined) this.options.state.rakeShape.value = fitted.shape;
+            if (fitted.seeds !== undefined) this.seeds.value = fitted.seeds;
         }
         const gesture = this.options.gestures.pressed(`rake ${rake} ${Object.keys(change).join()}`, editedAt);
-        this.submit(rake, kept, { dragging: false, editedAt, gesture });
+        this.submit(rake, fitted, { dragging: false, editedAt, gesture });
     }
 
     /** Takes over the active rake's record unless an edit of ours is ahead of it. */

@@ -61,8 +61,8 @@ export class RecordActions {
             const shape = translated({ kind, points }, besideRake(dataset.value.bounds, points));
             const rake = await this.make(call, shape, { seeds, name: this.freeName(`${name} copy`) });
             for (const surface of surfacesOf(this.state, id)) {
-                const { surface: _surface, rev: _rev, epoch: _epoch, ...asked } = surfaces.value.get(surface)!;
-                await call('surface.set', { ...asked, rake });
+                const { surface: _surface, rev: _rev, epoch: _epoch, ...setting } = surfaces.value.get(surface)!;
+                await call('surface.set', { ...setting, rake });
             }
             this.choose({ rake });
         });
@@ -99,8 +99,8 @@ export class RecordActions {
         const { surface, dataset: shown } = this.state;
         const like = surface.value;
         if (like !== undefined && like.kind !== 'time') {
-            const { surface: _surface, rev: _rev, epoch: _epoch, ...asked } = like;
-            return { ...asked, rake };
+            const { surface: _surface, rev: _rev, epoch: _epoch, ...setting } = like;
+            return { ...setting, rake };
         }
         const { surfaces } = this.suggestion ?? (await this.suggested());
         return { rake, dataset: shown.value!.dataset, ...surfaces[0]! };

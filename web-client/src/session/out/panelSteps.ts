@@ -15,9 +15,9 @@ export function surfaceSteps(state: AppState): ScriptStep[] {
     const record = state.surface.value;
     const second = state.rakes.value.get(record?.rake2 ?? '');
     if (record === undefined || state.rake.value === undefined) return [];
-    const { surface: _surface, rev: _rev, epoch: _epoch, fields, ...asked } = record;
+    const { surface: _surface, rev: _rev, epoch: _epoch, fields, ...setting } = record;
     const params = {
-        ...asked,
+        ...setting,
         rake: new ScriptVariable('rake'),
         ...(second === undefined ? {} : { rake2: new ScriptVariable('rake2') }),
         ...(fields === undefined || fields.length === 0 ? {} : { fields }),
@@ -57,8 +57,8 @@ export function probeSteps(state: AppState, view: ViewState): ScriptStep[] {
     if (description === null || reading === null) return [];
     const { point, time, values } = reading;
     const fields = values.map(({ name }) => name);
-    const asked = fields.length === 0 ? {} : { fields };
-    return [{ method: 'probe.sample', params: { dataset: description.dataset, points: [point], time, ...asked } }];
+    const requested = fields.length === 0 ? {} : { fields };
+    return [{ method: 'probe.sample', params: { dataset: description.dataset, points: [point], time, ...requested } }];
 }
 
 export function noteSteps(state: AppState): ScriptStep[] {

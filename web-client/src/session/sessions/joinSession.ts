@@ -78,11 +78,11 @@ export interface KnownSession {
 const maxKnownSessions = 20;
 
 /** Several servers may be behind one name, each under a path of its own. */
-const kept = (): string => `sessions ${location.pathname.replace(/[^/]*$/, '')}`;
+const storageKey = (): string => `sessions ${location.pathname.replace(/[^/]*$/, '')}`;
 
 function knownSessions(): KnownSession[] {
     try {
-        const value: unknown = JSON.parse(recall(kept()) ?? '[]');
+        const value: unknown = JSON.parse(recall(storageKey()) ?? '[]');
         return Array.isArray(value) ? value.filter(isKnown) : [];
     } catch {
         return [];
@@ -91,7 +91,7 @@ function knownSessions(): KnownSession[] {
 
 export function rememberSession(known: KnownSession): void {
     const others = knownSessions().filter(({ session }) => session !== known.session);
-    keep(kept(), JSON.stringify([known, ...others].slice(0, maxKnownSessions)));
+    keep(storageKey(), JSON.stringify([known, ...others].slice(0, maxKnownSessions)));
 }
 
 /** The one that was visited last. @param dataset only where this was shown; null: any */

@@ -70,13 +70,13 @@ export class SessionList {
     async refresh(): Promise<void> {
         const { worker } = this.options;
         try {
-            const [kept, deleted] = await Promise.all([
+            const [active, deleted] = await Promise.all([
                 worker.call('session.list', {}),
                 worker.call('session.list', { trash: true }),
             ]);
-            this.sessions.value = [...kept.sessions].sort((a, b) => later(b.lastUsed, a.lastUsed));
+            this.sessions.value = [...active.sessions].sort((a, b) => later(b.lastUsed, a.lastUsed));
             this.trash.value = [...deleted.sessions].sort((a, b) => later(b.deletedAt, a.deletedAt));
-            this.limits.value = { sessions: kept.limit, trash: kept.trashLimit };
+            this.limits.value = { sessions: active.limit, trash: active.trashLimit };
             this.problems.solved('list');
         } catch (error) {
             this.problems.tell('list', error);

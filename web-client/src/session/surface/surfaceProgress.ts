@@ -175,8 +175,8 @@ export class SurfaceOutcomes {
             const there = state.surfaces.value;
             for (const surface of this.requested.keys()) if (!there.has(surface)) this.requested.delete(surface);
             const { outcomes } = state;
-            const kept = [...outcomes.peek()].filter(([surface]) => there.has(surface));
-            if (kept.length < outcomes.peek().size) outcomes.value = new Map(kept);
+            const present = [...outcomes.peek()].filter(([surface]) => there.has(surface));
+            if (present.length < outcomes.peek().size) outcomes.value = new Map(present);
         });
         effect(() => {
             if (state.stage.value !== 'running') return;

@@ -37,7 +37,7 @@ interface Bar {
 export class ScalarBar extends ModelElement<ScalarBarModel> {
     private bars: Bar[] = [];
     /** What surfaces have no values of, and one colour instead. */
-    private readonly lacked = new Set<string>();
+    private readonly missing = new Set<string>();
 
     static override styles = css`
         :host([hidden]) {
@@ -101,11 +101,11 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         void [state.displayed.value, view.looks.value, state.speedRange.value, state.valueRanges.value, view.fixedRanges.value];
         const all = this.barsShown();
         this.bars = all.slice(0, barsAtMost);
-        this.hidden = this.bars.length + this.lacked.size === 0;
+        this.hidden = this.bars.length + this.missing.size === 0;
         const more = all.length - this.bars.length;
         return html`${this.bars.map((bar) => this.bar(bar, all.length > 1))}
         ${more > 0 ? html`<p class="range">and ${more} more</p>` : nothing}
-        ${[...this.lacked].map((title) => html`<p class="range lacked">${title}: no values, so one colour</p>`)}`;
+        ${[...this.missing].map((title) => html`<p class="range lacked">${title}: no values, so one colour</p>`)}`;
     }
 
     /** One for each meaning of colours that is seen, that of the selected surface first. */
@@ -114,7 +114,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         const active = state.activeSurface.value ?? '';
         const ids = [...state.surfaces.value.keys()];
         const bars = new Map<string, Bar>();
-        this.lacked.clear();
+        this.missing.clear();
         for (const id of [active, ...ids.filter((each) => each !== active)]) {
             const record = state.surfaces.value.get(id);
             const span = scene.surfaces.spanOf(id);
@@ -122,7 +122,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             const { style, colours, lacks } = span;
             const titleOf = (shown: Pick<SurfaceStyle, 'source' | 'scalar'>): string =>
                 colourTitle(shown, state.dataset.value, record.kind, view.units.value);
-            if (lacks !== '') this.lacked.add(titleOf({ source: 'scalar', scalar: lacks }));
+            if (lacks !== '') this.missing.add(titleOf({ source: 'scalar', scalar: lacks }));
             if (style.source === 'constant') continue;
             const title = titleOf(style);
             const key = JSON.stringify([title, colours, style.map, style.inverted, style.logarithmic, style.rangeOf]);

@@ -26,7 +26,7 @@ export class QualityPanel extends ModelElement<QualityModel> {
     private readonly open = signal(false);
     private readonly stats = signal<SurfaceStats | null>(null);
     /** The state that the statistics were last asked for. */
-    private askedFor = '';
+    private requestedState = '';
     private asking = false;
 
     static override styles = css`
@@ -77,8 +77,8 @@ export class QualityPanel extends ModelElement<QualityModel> {
      *  last. */
     private ask(surface: string, stateSum: number): void {
         const wanted = `${surface} ${stateSum}`;
-        if (this.asking || this.askedFor === wanted) return;
-        this.askedFor = wanted;
+        if (this.asking || this.requestedState === wanted) return;
+        this.requestedState = wanted;
         this.asking = true;
         const answered = (stats: SurfaceStats | null): void => {
             this.asking = false;

@@ -2,7 +2,7 @@
 import { keep, recall } from '../../state/browserMemory.ts';
 import type { ViewState } from '../../state/viewState.ts';
 
-const kept = 'panel';
+const panelKey = 'panel';
 const folded = 'folded';
 
 /** Returns whether another page shows this one in a frame, as a notebook does, where there is little room. */
@@ -12,12 +12,12 @@ export function isInFrame(): boolean {
 
 /** Sets the panel as it was when this browser was here last; at first folded in a frame. */
 export function recallPanel(view: Pick<ViewState, 'panelFolded'>): void {
-    view.panelFolded.value = (recall(kept) ?? (isInFrame() ? folded : '')) === folded;
+    view.panelFolded.value = (recall(panelKey) ?? (isInFrame() ? folded : '')) === folded;
 }
 
 export function togglePanel({ panelFolded }: Pick<ViewState, 'panelFolded'>): void {
     panelFolded.value = !panelFolded.value;
-    keep(kept, panelFolded.value ? folded : 'open');
+    keep(panelKey, panelFolded.value ? folded : 'open');
 }
 
 /** Some browsers, as those of small telephones, have none for pages. */
