@@ -21,9 +21,9 @@ using core::fail;
 
 namespace {
 
-constexpr int socket_look = 2000; ///< the poll interval for the socket's existence, in ms
-constexpr int patience = 5000;
-constexpr int longest_hold = 60'000;
+constexpr int socket_poll_ms = 2000; ///< the poll interval for the socket's existence, in ms
+constexpr int client_timeout_ms = 5000;
+constexpr int longest_hold_ms = 60'000;
 constexpr const char* socket_name = "serving.sock";
 
 /// Closes a descriptor.
@@ -127,11 +127,11 @@ void BackupCoordinator::work() {
         const Descriptor asker(::accept4(listener.get(), nullptr, nullptr, SOCK_CLOEXEC));
         if (asker.get() >= 0)
             serve(asker.get());
-    } while (wait_for(listener.get(), socket_look));
+    } while (wait_for(listener.get(), socket_poll_ms));
 }
 
 void BackupCoordinator::serve(int asker) const {
-    const timeval patient{patience / 1000, 0};
+    const timeval patient{client_timeout_ms / 1000, 0};
     ::setsockopt(asker, SOL_SOCKET, SO_RCVTIMEO, &patient, sizeof patient);
     ::setsockopt(asker, SOL_SOCKET, SO_SNDTIMEO, &patient, sizeof patient);
     if (read_line(asker) != "hold")
@@ -140,7 +140,7 @@ void BackupCoordinator::serve(int asker) const {
     if (!held)
         return send_line(asker, "error " + held.error().message + "\n");
     send_line(asker, "ok\n");
-    wait_for(asker, longest_hold);
+    wait_for(asker, longest_hold_ms);
     pollfd said{asker, POLLIN, 0};
     const bool in_time = ::poll(&said, 1, 0) > 0;
     const bool whole = services_.release();
