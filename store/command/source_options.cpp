@@ -97,13 +97,13 @@ std::string axes_list(const core::PeriodicAxes& axes) {
 
 void add_source_options(CLI::App& command, SourceOptions& options) {
     command.add_option("--velocity", options.velocity,
-                       "The velocity, if it cannot be found by its name: one vector, three "
+                       "The velocity, where it is not to be found by its name: one vector, three "
                        "scalars U,V,W, or a momentum and its density M,RHO");
     command.add_flag("--alone", options.alone,
                      "Only the file that DATASET names, not the numbered files beside it");
     command
         .add_option("--dt", options.dt,
-                    "Time from one numbered file to the next, if the files state no times")
+                    "Time from one numbered file to the next, where the files state no times")
         ->check(finite(true));
     command.add_option("--start", options.start, "Time of the first of such files (default: 0)")
         ->check(finite(false));
@@ -118,7 +118,7 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
                                       std::to_string(most_periods) + " periods");
             },
             "The stored times are one period, which is repeated: PERIODS, or PERIODS:LENGTH "
-            "(default length: depends on whether the last time-step repeats the first)")
+            "(default length: by whether the last time-step is the first again)")
         ->option_text("PERIODS[:LENGTH]");
     command
         .add_option_function<std::string>(
@@ -136,7 +136,7 @@ void add_source_options(CLI::App& command, SourceOptions& options) {
                 options.periodic = read_axes(text).value_or(core::PeriodicAxes{});
             },
             "The flow repeats along these axes, x or x,y: what leaves the box of the data on one "
-            "side enters again on the other. OpenFOAM's cyclic patches imply it")
+            "side goes on from the other. Of OpenFOAM cyclic patches say it")
         ->check(axes_of_text());
     command.add_flag("--confined", options.confined,
                      "Refuse files that DATASET names outside of its folder: for data of people "
