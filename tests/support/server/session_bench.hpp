@@ -76,7 +76,7 @@ class MemoryJournal final : public server::Journal {
 };
 
 /// Folds patches like a client.
-struct TriangleProbe final : server::Observer {
+struct Onlooker final : server::Observer {
     void patched(const std::string&,
                  std::uint64_t new_seq,
                  std::span<const server::Patch> patches,
