@@ -6,8 +6,6 @@
 #include "importer/base/reading_bounds.hpp"
 #include "importer/base/watched_process.hpp"
 #include "importer/conversion.hpp"
-#include "importer/level_message.hpp"
-#include "importer/level_sets.hpp"
 #include "importer/rake_file.hpp"
 #include "importer/sources/files/source_files.hpp"
 #include "importer/sources/openfoam/openfoam_case.hpp"
@@ -185,41 +183,6 @@ void add_bounds(CLI::App& app, importer::ImportBounds& bounds) {
         ->transform(command::as_memory_size());
 }
 
-// The first argument of a server that wants level sets instead of an import; --help does not list it.
-constexpr std::string_view for_level_sets = "--level-sets";
-
-// Runs in the watched process: requests come on standard input, answers go there too.
-int extract_levels(const Wish& wish) {
-    const auto out = importer::take_outputs(false);
-    if (auto limited = importer::limit_rights({}); !limited)
-        return failed(out.errors, wish, limited.error());
-    try {
-        importer::made_progress();
-        const auto done = importer::answer_level_requests(STDIN_FILENO, importer::level_memory);
-        return done ? 0 : failed(out.errors, wish, done.error());
-    } catch (const std::exception& error) {
-        return failed(out.errors, wish, importer::error_of(error, "a level set"));
-    }
-}
-
-int level_sets(int argc, char** argv) {
-    Wish wish;
-    CLI::App app("Extracts level sets for a server.", "wakesurf-import");
-    app.add_flag(std::string(for_level_sets));
-    app.add_option("--memory", wish.bounds.memory)->transform(command::as_memory_size());
-    app.add_option("--parent", wish.parent);
-    CLI11_PARSE(app, argc, argv);
-    if (wish.bounds.memory == 0)
-        wish.bounds.memory = importer::usual_import_memory();
-    wish.bounds.survey = wish.bounds.stall =
-        std::chrono::seconds(0); // the server measures the time
-    if (wish.parent > 0 && !importer::end_with(wish.parent))
-        return 1;
-    const auto ended =
-        importer::run_watched("a level set", wish.bounds, [&wish] { return extract_levels(wish); });
-    return ended ? *ended : failed(stderr, wish, ended.error());
-}
-
 constexpr std::string_view manual_chapters = ".SH EXIT STATUS\n0 done, 1 failed, 2 wrong usage.\n"
                                              ".SH SEE ALSO\n\\fBwakesurf\\fR(1), whose command "
                                              "\\fBimport\\fR starts this program\n";
@@ -227,8 +190,6 @@ constexpr std::string_view manual_chapters = ".SH EXIT STATUS\n0 done, 1 failed,
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc > 1 && argv[1] == for_level_sets)
-        return level_sets(argc, argv);
     Wish wish;
     std::string source;
     std::string times;

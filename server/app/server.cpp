@@ -249,9 +249,6 @@ struct Server::Parts {
     void watch_memory() {
         if (in.memory.too_much())
             pool.run([account = in.memory.account()] { account.make_room(0); });
-        for (const DatasetStatus& each : in.catalogue->list())
-            if (const auto open = in.catalogue->find(each.dataset); open && (*open)->levels)
-                pool.let_go((*open)->levels->take_idle());
         watching = in.loop.after(limits::memory_poll_interval, [this] { watch_memory(); });
     }
 

@@ -261,13 +261,11 @@ LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Optio
         return open;
     }
     open.scalars = std::move(scalars);
-    LevelSets::Options levels;
-    levels.account = cache.account;
-    levels.of_files = open.info.fields;
     const auto* mesh = std::get_if<core::CellMesh>(&open.store->grid());
     if (mesh == nullptr || !mesh->axis)
-        open.levels = std::make_shared<const LevelSets>(open.flow, open.store, open.info.velocity,
-                                                        std::move(levels), open.scalars);
+        open.levels = std::make_shared<const NodeFields>(
+            open.flow, open.store, open.info.velocity,
+            NodeFields::Options{cache.account, open.info.fields}, open.scalars);
     open.family_memory.reset();
     if (cache.account && open.scalars->family_memory() > 0) {
         open.family_memory = std::make_shared<core::MemoryAccount::Share>(

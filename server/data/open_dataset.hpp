@@ -7,7 +7,7 @@
 #include "core/field/flow.hpp"
 #include "server/data/bricks/rank_bricks.hpp"
 #include "server/data/dataset_argument.hpp"
-#include "server/data/levels/level_sets.hpp"
+#include "server/data/node_fields.hpp"
 #include "store/command/source_options.hpp"
 #include "store/import_progress.hpp"
 #include "store/store_reader.hpp"
@@ -30,7 +30,7 @@ struct LoadedDataset {
     std::shared_ptr<const store::StoreReader> store; ///< behind the cache; null for a built-in flow
     /// The share of its grid; null: not counted.
     std::shared_ptr<core::MemoryAccount::Share> memory{};
-    std::shared_ptr<const LevelSets> levels{}; ///< of its fields; null for a built-in flow
+    std::shared_ptr<const core::LevelSource> levels{}; ///< null for a built-in flow
     /// The scalars of the store; null for a built-in flow.
     std::shared_ptr<const store::StoreScalars> scalars{};
     std::shared_ptr<core::MemoryAccount::Share> family_memory{}; ///< of its families; likewise

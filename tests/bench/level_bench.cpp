@@ -1,12 +1,11 @@
-// A level that is dragged through a field of 128^3 values: 30 levels, each to its mesh and to its frames, with the field loaded once in the
-// process that extracts them. And what loading it, and starting that process, takes before the first.
+// A level that is dragged through a field of 128^3 values: 30 levels, each to its mesh and to its frames, with the field
+// loaded once. And what loading it takes before the first.
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
-#include "server/data/levels/level_sets.hpp"
+#include "server/data/node_fields.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/quantiles.hpp"
-#include "tests/support/programs.hpp"
 #include "tests/support/scalar_store.hpp"
 
 #include <benchmark/benchmark.h>
@@ -43,10 +42,8 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 
 void measure(benchmark::State& state) {
     const tests::ScalarStore store(cube(), {0.0}, {{"f", folded}});
-    server::LevelSets::Options options;
-    options.process.program = tests::importer_program();
-    const auto source =
-        std::make_shared<server::LevelSets>(store.flow(), store.reader(), "U", std::move(options));
+    const auto source = std::make_shared<server::NodeFields>(store.flow(), store.reader(), "U",
+                                                             server::NodeFields::Options{});
     core::SurfaceParameters p;
     p.kind = core::SurfaceKind::Level;
     p.field = "f";

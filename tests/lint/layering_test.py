@@ -58,7 +58,6 @@ MAY_INCLUDE = {
     "server/data": ["core", "store", "protocol", "server/base", "server/remote/remote_dataset.hpp", "server/data"],
     "server/data/bricks": ["core", "store", "server/base"],
     "server/data/bricks/ranks": ["core/base", "store", "server/data/bricks"],
-    "server/data/levels": ["core", "store", "importer/level_message.hpp", "server/base"],
     "server/live": ["core", "protocol", "server/base", "server/data", "server/live/compute"],
     "server/live/compute": ["core", "protocol/wire", "server/base"],
     "server/sessions": ["core", "protocol/api", "server/base", "server/data", "server/live", "server/sessions"],

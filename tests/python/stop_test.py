@@ -138,15 +138,6 @@ class Stop(FolderTest):
             rake = session.rake(line=[(0.4, 0.5, 0.5), (0.6, 0.5, 0.5)])
             session.api.surface.set(rake=rake.id, dataset="tornado", **surface)
 
-    def test_while_a_process_that_extracts_level_sets_is_stopped(self):
-        server = RealServer(self.store("--grid", "65,65,49"))
-        wakesurf.Client(server.url).api.dataset.open(dataset="tornado")
-        level = {"kind": "level", "field": "velocity", "level": 1.0, "from_": 1.0, "to": 1.0}
-        self.asked_for(server, 1, **level)
-        self.halt(until(lambda: below(server.process.pid, "--level-sets")[1:]))
-        self.asked_for(server, 8, **{**level, "level": 1.5})
-        self.ends(server)
-
     def test_while_a_web_server_drips_a_dataset_that_is_opened(self):
         self.store("--grid", "33,33,25")
         web = Dripping(self.folder, "store.json")

@@ -1,5 +1,7 @@
 #include "core/surface/level/level_surface.hpp"
 
+#include "core/surface/level/level_source.hpp"
+#include "core/surface/level/level_triangles.hpp"
 #include "core/surface/level/paired_triangles.hpp"
 #include "core/surface/time_direction.hpp"
 
@@ -11,8 +13,8 @@ namespace wakesurf::core {
 
 namespace {
 
-/// A triangle while neighbours are paired, and what of the mesh comes from it.
-constexpr std::size_t triangle_bytes = 160;
+/// A triangle while neighbours are paired, and what of the mesh comes from it, beside the triangle itself.
+constexpr std::size_t triangle_bytes = 136;
 
 std::string listed_times(const std::vector<double>& times) {
     constexpr std::size_t most = 8;
@@ -23,11 +25,9 @@ std::string listed_times(const std::vector<double>& times) {
 }
 
 std::optional<Emptiness>
-why_no_level(const SurfaceParameters& p, const LevelTriangles& found, double time) {
-    if (!found.triangles.empty())
-        return std::nullopt;
+why_no_level(const SurfaceParameters& p, const NodeValues& found, double time) {
     const std::string at = p.from == p.to ? "" : " at t = " + time_text(time);
-    if (!found.values)
+    if (!found.any)
         return Emptiness{Emptiness::Reason::NotFinite, *p.field + " has no values" + at,
                          found.times.empty()
                              ? "choose another field, or another time"
@@ -53,6 +53,26 @@ Error too_many(const SurfaceParameters& p, std::size_t quads) {
             "raise `maxQuads`, or choose another level",
             {},
             p.max_quads};
+}
+
+/// A level outside the range has none.
+Result<LevelTriangles> extracted_triangles(const LevelSource& source,
+                                           const NodeValues& found,
+                                           const SurfaceParameters& p,
+                                           const std::stop_token& stop,
+                                           const WorkPart& work) {
+    if (!found.any || *p.level < found.range[0] || *p.level > found.range[1])
+        return LevelTriangles{};
+    auto triangles =
+        level_triangles(source.grid(), found.values, *p.level, 2 * p.max_quads, stop, work);
+    if (triangles && triangles->needed > 2 * p.max_quads)
+        return over_limit(p.max_quads,
+                          "the level set of " + *p.field + " has " +
+                              std::to_string(triangles->needed) +
+                              " triangles, more than `maxQuads` " + std::to_string(p.max_quads) +
+                              " quads are made of",
+                          "raise `maxQuads`, or choose another level");
+    return triangles;
 }
 
 QuadComplex mesh_of(LevelTriangles&& found) {
@@ -111,23 +131,28 @@ Result<Surface> build_level_surface(const SurfacePlan& plan,
     const auto since = [&](auto begin) {
         return std::chrono::duration<double>(clock.now() - begin).count();
     };
-    auto found = plan.levels->extract({*p.field, *p.level, time, 2 * p.max_quads}, stop);
+    const auto found = plan.levels->values(*p.field, time, stop);
     if (!found)
-        return tl::unexpected(std::move(found.error()));
+        return tl::unexpected(found.error());
+    const NodeValues& values = **found;
     Surface out;
     SurfaceStatistics& s = out.statistics;
     s.seconds.load = since(start);
     s.kind = p.kind;
-    s.empty = why_no_level(p, *found, time);
-    if (found->values)
-        s.field_range = found->range;
-    if (auto room = work.takes(found->triangles.size() * triangle_bytes); !room)
+    if (values.any)
+        s.field_range = values.range;
+    const auto extracted = clock.now();
+    auto triangles = extracted_triangles(*plan.levels, values, p, stop, work);
+    if (!triangles)
+        return tl::unexpected(std::move(triangles.error()));
+    if (triangles->triangles.empty())
+        s.empty = why_no_level(p, values, time);
+    if (auto room = work.takes(triangles->triangles.size() * triangle_bytes); !room)
         return tl::unexpected(std::move(room.error()));
-    const auto paired = clock.now();
-    out.mesh = mesh_of(*std::move(found));
+    out.mesh = mesh_of(*std::move(triangles));
     if (out.mesh.cells.size() > p.max_quads)
         return tl::unexpected(too_many(p, out.mesh.cells.size()));
-    s.seconds.refine = since(paired);
+    s.seconds.refine = since(extracted);
     work.reached(0.5);
     if (auto sampled = add_velocity(out.mesh, plan, time, stop); !sampled)
         return tl::unexpected(std::move(sampled.error()));

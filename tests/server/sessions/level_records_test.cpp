@@ -1,4 +1,5 @@
 // Level surfaces as records of a session: what is checked before they are kept, what of a rake they follow, and that they come back.
+#include "core/surface/level/level_source.hpp"
 #include "tests/support/server/session_bench.hpp"
 
 #include <gtest/gtest.h>
@@ -8,12 +9,15 @@ namespace {
 
 using core::Error;
 
-/// Has one field, p, and no triangles.
+/// Has one field, p, that is 0.
 class OneField final : public core::LevelSource {
   public:
-    core::Result<core::LevelTriangles> extract(const core::LevelWanted&,
-                                               const std::stop_token&) const override {
-        return core::LevelTriangles{};
+    const core::Grid& grid() const override { return grid_; }
+
+    core::Result<std::shared_ptr<const core::NodeValues>>
+    values(const std::string&, double, const std::stop_token&) const override {
+        return std::make_shared<const core::NodeValues>(
+            core::NodeValues{std::vector<float>(8), {0.0, 0.0}});
     }
 
     core::Result<void> check_field(const std::string& name) const override {
@@ -22,6 +26,9 @@ class OneField final : public core::LevelSource {
         return core::fail(Error::Code::NotFound,
                           "`field` names a field the dataset does not have: " + name);
     }
+
+  private:
+    core::Grid grid_ = core::UniformGrid{core::Vec3(0.0), core::Vec3(1.0), {2, 2, 2}};
 };
 
 /// The flow `abc` as data with a field.

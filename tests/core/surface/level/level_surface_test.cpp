@@ -1,5 +1,6 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/surface/builder/surface_builder.hpp"
+#include "core/surface/level/level_source.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
@@ -10,22 +11,16 @@
 namespace wakesurf::core::level_surface_test {
 namespace {
 
-/// A patch of the plane x = level of a field that goes from 0 to 4, and remembers what it was asked for.
+/// One cell with a field that goes from 0 to 4 along x, which remembers what it was asked for.
 class Planes final : public LevelSource {
   public:
-    Result<LevelTriangles> extract(const LevelWanted& wanted,
-                                   const std::stop_token&) const override {
-        asked = wanted;
-        LevelTriangles out;
-        out.range = {0.0, 4.0};
-        out.values = values;
-        out.times = times;
-        if (!values || wanted.level < 0.0 || wanted.level > 4.0)
-            return out;
-        const double x = wanted.level;
-        out.points = {{x, 1, 1}, {x, 2, 1}, {x, 2, 2}, {x, 1, 2}};
-        out.triangles = {{0, 1, 2}, {0, 2, 3}};
-        return out;
+    const Grid& grid() const override { return grid_; }
+
+    Result<std::shared_ptr<const NodeValues>>
+    values(const std::string& field, double time, const std::stop_token&) const override {
+        asked_field = field;
+        asked_time = time;
+        return std::make_shared<const NodeValues>(found);
     }
 
     Result<void> check_field(const std::string& name) const override {
@@ -34,9 +29,12 @@ class Planes final : public LevelSource {
         return fail(Error::Code::NotFound, "no field " + name);
     }
 
-    mutable LevelWanted asked;
-    bool values = true;
-    std::vector<double> times;
+    mutable std::string asked_field;
+    mutable double asked_time = 0.0;
+    NodeValues found{{0, 4, 0, 4, 0, 4, 0, 4}, {0.0, 4.0}};
+
+  private:
+    Grid grid_ = UniformGrid{Vec3(0.0, 1.0, 1.0), Vec3(4.0, 1.0, 1.0), {2, 2, 2}};
 };
 
 const std::shared_ptr<const Flow> abc = make_analytic_flow("abc").value();
@@ -82,14 +80,13 @@ TEST(LevelSurface, IsOfTheTimeThatIsShownWithinItsOwn) {
     const Level level(level_of(3.0, 1.0, 4.0));
     const auto time = [&](std::optional<double> clock) {
         EXPECT_TRUE(surface_at(level.plan, clock, SteadyClock{}, {}));
-        return level.source->asked.time;
+        return level.source->asked_time;
     };
     EXPECT_EQ(time(std::nullopt), 4.0);
     EXPECT_EQ(time(2.5), 2.5);
     EXPECT_EQ(time(0.0), 1.0);
     EXPECT_EQ(time(9.0), 4.0);
-    EXPECT_EQ(level.source->asked.field, "p");
-    EXPECT_EQ(level.source->asked.level, 3.0);
+    EXPECT_EQ(level.source->asked_field, "p");
 }
 
 TEST(LevelSurface, OutsideTheRangeIsEmptyAndSaysTheRange) {
@@ -104,17 +101,17 @@ TEST(LevelSurface, OutsideTheRangeIsEmptyAndSaysTheRange) {
 
 TEST(LevelSurface, OfAFieldWithoutValuesSaysSo) {
     const Level level(level_of(1.0));
-    level.source->values = false;
+    level.source->found.any = false;
     const auto surface = build_surface(level.plan).value();
     ASSERT_TRUE(surface.statistics.empty);
     EXPECT_EQ(surface.statistics.empty->reason, Emptiness::Reason::NotFinite);
     EXPECT_EQ(surface.statistics.empty->message, "p has no values at t = 5");
     EXPECT_FALSE(surface.statistics.field_range);
     EXPECT_EQ(surface.statistics.empty->hint, "choose another field, or another time");
-    level.source->times = {1, 2.5};
+    level.source->found.times = {1, 2.5};
     EXPECT_EQ(build_surface(level.plan)->statistics.empty->hint,
               "p has values at t = 1, 2.5: choose such a time, or another field");
-    level.source->times = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
+    level.source->found.times = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9};
     EXPECT_TRUE(holds(build_surface(level.plan)->statistics.empty->hint, "6, 7, ... 9:"));
 }
 
@@ -127,8 +124,9 @@ TEST(LevelSurface, OfMoreQuadsThanAllowedIsRefusedWithTheirNumber) {
     const auto refused = build_surface(level.plan);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, Error::Code::OverLimit);
-    EXPECT_EQ(refused.error().message,
-              "the level set of p needs 1 quads, more than `maxQuads` 0 allows");
+    EXPECT_EQ(refused.error().message, "the level set of p has 2 triangles, more than `maxQuads` 0 "
+                                       "quads are made of");
+    EXPECT_EQ(refused.error().limit, 0U);
 }
 
 TEST(LevelSurface, NeedsAFieldThatThereIsAndData) {

@@ -1,6 +1,8 @@
-#include "server/data/levels/node_values.hpp"
+#include "server/data/node_fields.hpp"
 
+#include "core/base/blocking_wait.hpp"
 #include "core/dataset/missing_bricks.hpp"
+#include "core/field/velocity_gradient.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "server/base/field_names.hpp"
 #include "store/brick_slabs.hpp"
@@ -8,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <vector>
+#include <utility>
 
 namespace wakesurf::server {
 
@@ -125,16 +127,65 @@ core::Result<void> sampled_values(const NodeField& field,
     return {};
 }
 
+tl::unexpected<core::Error> cancelled() {
+    return core::fail(core::Error::Code::Cancelled, "the level set was cancelled");
+}
+
+constexpr std::chrono::milliseconds memory_patience{
+    1000}; ///< the wait for others to release memory
+
 } // namespace
 
-core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
-                                        const std::string& velocity,
-                                        const std::string& name,
-                                        std::span<const core::FieldInfo> of_files) {
+struct NodeFields::Loaded {
+    NodeField field;
+    double time = 0.0;
+    core::NodeValues values;
+    core::MemoryAccount::Share share;
+};
+
+/// The turn of the one thread that loads. REQUIRES at its beginning: mutex_ is locked; at its end: it is not.
+class NodeFields::Turn {
+  public:
+    explicit Turn(const NodeFields& of) : of_(of) { of_.loading_ = true; }
+
+    ~Turn() {
+        const std::scoped_lock lock(of_.mutex_);
+        of_.loading_ = false;
+        of_.idle_.notify_all();
+    }
+
+    Turn(const Turn&) = delete;
+    Turn& operator=(const Turn&) = delete;
+
+  private:
+    const NodeFields& of_;
+};
+
+NodeFields::NodeFields(std::shared_ptr<const core::Flow> flow,
+                       std::shared_ptr<const store::StoreReader> store,
+                       std::string velocity,
+                       Options options,
+                       std::shared_ptr<const store::StoreScalars> scalars)
+    : flow_(std::move(flow)), store_(std::move(store)),
+      scalars_(scalars ? std::move(scalars) : store::StoreScalars::open(store_, store_->disk())),
+      velocity_(std::move(velocity)), options_(std::move(options)) {
+    if (options_.account)
+        ticket_ = options_.account->on_need(core::ReclaimOrder::Histories, [this](std::size_t) {
+            std::shared_ptr<const Loaded> freed; // after the lock
+            const std::scoped_lock lock(mutex_);
+            freed = std::exchange(loaded_, nullptr);
+        });
+}
+
+NodeFields::~NodeFields() {
+    ticket_.reset(); // waits for a running call
+}
+
+core::Result<NodeField> NodeFields::find(const std::string& name) const {
     using Source = NodeField::Source;
-    if (const auto scalar = scalars.find(name))
+    if (const auto scalar = scalars_->find(name))
         return NodeField{name, Source::Scalar, *scalar};
-    if (name == velocity)
+    if (name == velocity_)
         return NodeField{name, Source::Speed, 0};
     const auto& components = core::velocity_component_names;
     if (const auto found = std::ranges::find(components, name); found != components.end())
@@ -142,38 +193,97 @@ core::Result<NodeField> find_node_field(const store::StoreScalars& scalars,
                          static_cast<std::size_t>(found - components.begin())};
     if (const auto derived = core::find_gradient_field(name))
         return NodeField{name, Source::Gradient, static_cast<std::size_t>(*derived)};
-    return tl::unexpected(
-        no_such_field("field", name, node_field_names(scalars.names(), velocity), of_files));
+    return tl::unexpected(no_such_field(
+        "field", name, node_field_names(scalars_->names(), velocity_), options_.of_files));
 }
 
-core::Result<void> node_values(const NodeField& field,
-                               const core::Flow& flow,
-                               const store::StoreReader& store,
-                               const store::StoreScalars& scalars,
-                               double time,
-                               std::span<float> out,
-                               const std::stop_token& stop) {
+core::Result<void> NodeFields::check_field(const std::string& name) const {
+    return find(name).map([](const NodeField&) {});
+}
+
+core::Result<std::shared_ptr<const core::NodeValues>>
+NodeFields::values(const std::string& name, double time, const std::stop_token& stop) const {
+    const auto field = find(name);
+    if (!field)
+        return tl::unexpected(field.error());
+    const auto shared = [](const std::shared_ptr<const Loaded>& loaded) {
+        return std::shared_ptr<const core::NodeValues>(loaded, &loaded->values);
+    };
+    std::shared_ptr<const Loaded> before; // freed after the lock
+    std::unique_lock lock(mutex_);
+    if (loading_) {
+        const core::BlockingWait blocked;
+        if (!idle_.wait(lock, stop, [&] { return !loading_; }))
+            return cancelled();
+    }
+    if (loaded_ && loaded_->field == *field && loaded_->time == time)
+        return shared(loaded_);
+    const Turn turn(*this);
+    before = std::exchange(loaded_, nullptr);
+    lock.unlock();
+    before.reset();
+    auto loaded = load(*field, time, stop);
+    lock.lock();
+    if (loaded)
+        loaded_ = *loaded;
+    lock.unlock();
+    return loaded.map(shared);
+}
+
+core::Result<std::shared_ptr<const NodeFields::Loaded>>
+NodeFields::load(const NodeField& field, double time, const std::stop_token& stop) const {
+    auto out = std::make_shared<Loaded>();
+    out->field = field;
+    out->time = time;
+    const std::size_t nodes = core::node_count(grid());
+    if (options_.account) {
+        out->share = options_.account->open(core::MemoryUse::Histories);
+        if (!out->share.grow_to(nodes * sizeof(float), stop, memory_patience))
+            return tl::unexpected(
+                options_.account->refusal("a level set of this dataset", nodes * sizeof(float)));
+    }
+    core::NodeValues& found = out->values;
+    found.values.resize(nodes);
+    if (auto done = read(field, time, found.values, stop); !done)
+        return tl::unexpected(std::move(done.error()));
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::array<double, 2> range{infinity, -infinity};
+    for (const float each : found.values)
+        if (std::isfinite(each))
+            range = {std::min(range[0], double{each}), std::max(range[1], double{each})};
+    found.any = range[0] <= range[1];
+    if (found.any)
+        found.range = range;
+    else if (field.source == NodeField::Source::Scalar)
+        found.times = scalars_->times_of(field.index);
+    return out;
+}
+
+core::Result<void> NodeFields::read(const NodeField& field,
+                                    double time,
+                                    std::span<float> out,
+                                    const std::stop_token& stop) const {
     if (field.source == NodeField::Source::Scalar) {
-        const auto brick_field = scalars.brick_field(field.index);
-        const auto bricks = brick_field ? flow.bricks() : nullptr;
-        const auto read =
-            bricks ? stored_bricks(bricks, *brick_field, scalars.times(), time, out, stop)
-                   : stored_values(scalars, field.index, time, out, stop);
-        if (!read)
-            return read;
+        const auto brick_field = scalars_->brick_field(field.index);
+        const auto bricks = brick_field ? flow_->bricks() : nullptr;
+        if (auto done =
+                bricks ? stored_bricks(bricks, *brick_field, scalars_->times(), time, out, stop)
+                       : stored_values(*scalars_, field.index, time, out, stop);
+            !done)
+            return done;
     } else {
         std::vector<core::Vec3> places;
         for (std::size_t begin = 0; begin < out.size(); begin += places.size()) {
             places.resize(std::min(nodes_at_once, out.size() - begin));
             for (std::size_t i = 0; i < places.size(); ++i)
-                places[i] = core::node_position(store.grid(), begin + i);
-            if (auto done = sampled_values(field, flow, places, time,
+                places[i] = core::node_position(grid(), begin + i);
+            if (auto done = sampled_values(field, *flow_, places, time,
                                            out.subspan(begin, places.size()), stop);
                 !done)
                 return done;
         }
     }
-    const core::SolidMask& mask = store.mask();
+    const core::SolidMask& mask = store_->mask();
     for (std::size_t i = 0; !mask.empty() && i < out.size(); ++i)
         if (!mask.is_fluid(i))
             out[i] = std::numeric_limits<float>::quiet_NaN();

@@ -1,27 +1,25 @@
-// Level sets by the real process that extracts them, against closed forms; and what becomes of them when it is killed, hangs or lacks memory.
+// Fields of stores at their nodes, and level sets of them against closed forms; many that ask at once, and without memory.
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
-#include "server/data/levels/level_sets.hpp"
+#include "server/data/node_fields.hpp"
 #include "server/live/compute/compute_pool.hpp"
 #include "tests/support/cell_meshes.hpp"
 #include "tests/support/mesh_borders.hpp"
-#include "tests/support/programs.hpp"
 #include "tests/support/scalar_store.hpp"
-#include "tests/support/server/hand_clock.hpp"
 
 #include <gtest/gtest.h>
-#include <signal.h>
 
+#include <atomic>
 #include <cmath>
-#include <cstring>
+#include <condition_variable>
 #include <future>
 #include <limits>
 #include <mutex>
 #include <thread>
 
-namespace wakesurf::server::level_sets_test {
+namespace wakesurf::server::node_fields_test {
 namespace {
 
 using core::Error;
@@ -41,20 +39,14 @@ core::UniformGrid cube(std::uint32_t n) {
     return {Vec3(-1.0), Vec3(2.0 / (n - 1)), {n, n, n}};
 }
 
-LevelSets::Options usual() {
-    LevelSets::Options options;
-    options.process.program = tests::importer_program();
-    return options;
-}
-
 struct Data {
     explicit Data(const core::Grid& grid,
                   const std::vector<std::pair<std::string, tests::ScalarFormula>>& scalars =
                       {{"r", distance}, {"h", height}},
-                  const LevelSets::Options& options = usual(),
+                  const NodeFields::Options& options = {},
                   const std::function<bool(const Vec3&)>& solid = {})
         : store(grid, {0.0, 1.0}, scalars, solid),
-          levels(std::make_shared<LevelSets>(store.flow(), store.reader(), "U", options)) {}
+          levels(std::make_shared<NodeFields>(store.flow(), store.reader(), "U", options)) {}
 
     core::Result<core::Surface> surface(const std::string& field,
                                         double level,
@@ -79,7 +71,7 @@ struct Data {
     }
 
     tests::ScalarStore store;
-    std::shared_ptr<const LevelSets> levels;
+    std::shared_ptr<const NodeFields> levels;
 };
 
 /// The largest distance of a vertex from the sphere.
@@ -187,7 +179,7 @@ TEST(LevelSets, HaveHolesWhereNodesHaveNoValue) {
                      {{"r", cut}})
                     .mesh("r", radius),
                 0.3);
-    expect_hole(Data(cube(41), {{"r", distance}}, usual(), [](const Vec3& x) { return x.x > 0.31; })
+    expect_hole(Data(cube(41), {{"r", distance}}, {}, [](const Vec3& x) { return x.x > 0.31; })
                     .mesh("r", radius),
                 0.3);
     const auto nowhere = [](const Vec3&, double) {
@@ -213,198 +205,97 @@ TEST(LevelSets, OfMoreTrianglesThanAllowedAreRefusedAndTheNextOneIsExtracted) {
     EXPECT_EQ(refused.error().code, Error::Code::OverLimit);
     EXPECT_NE(refused.error().message.find("more than `maxQuads` 100"), std::string::npos)
         << refused.error().message;
-    const auto process = data.levels->process();
     EXPECT_TRUE(data.surface("r", radius));
-    EXPECT_EQ(data.levels->process(), process) << "the same process";
 }
 
-/// The process that extracts, below the one that watches it.
-pid_t extractor_below(pid_t watching) {
-    const std::string id = std::to_string(watching);
-    return std::stoi(tests::read_file("/proc/" + id + "/task/" + id + "/children"));
-}
-
-TEST(LevelSets, OfAProcessThatIsKilledAreExtractedByANewOne) {
-    const Data data{cube(16)};
-    const auto before = data.mesh("r", radius);
-    const auto process = data.levels->process();
-    ::kill(extractor_below(*process), SIGKILL);
-    EXPECT_EQ(data.mesh("r", radius).position, before.position);
-    EXPECT_NE(data.levels->process(), process);
-}
-
-TEST(LevelSets, OfProcessesThatEndEachTimeAreAnError) {
-    auto options = usual();
-    options.process.program = "/bin/sleep"; // takes none of these arguments: ends at once
-    EXPECT_NE(Data(cube(9), {{"r", distance}}, options)
-                  .surface("r", radius)
-                  .error()
-                  .message.find("ended"),
-              std::string::npos);
-}
-
-/// A process that never answers.
-LevelSets::Options hanging(const tests::TemporaryFolder& folder) {
-    auto options = usual();
-    options.process.program = folder / "hangs";
-    tests::write_file(options.process.program, "#!/bin/sh\nexec sleep 600\n");
-    std::filesystem::permissions(options.process.program, std::filesystem::perms::owner_all);
-    return options;
-}
-
-TEST(LevelSets, OfAProcessThatHangsAreAnErrorAndTheNextOnesAreExtracted) {
-    const tests::TemporaryFolder folder;
-    auto options = hanging(folder);
-    options.process.patience = std::chrono::milliseconds(100);
-    EXPECT_NE(Data(cube(9), {{"r", distance}}, options)
-                  .surface("r", radius)
-                  .error()
-                  .message.find("does not answer"),
-              std::string::npos);
-}
-
-TEST(LevelSets, OfAProcessThatIsStoppedAreAnErrorOnceAndTheNextOnesAreExtracted) {
-    auto options = usual();
-    options.process.patience = std::chrono::milliseconds(300);
-    const Data data{cube(16), {{"r", distance}}, options};
-    const auto before = data.mesh("r", radius);
-    ::kill(extractor_below(*data.levels->process()), SIGSTOP);
-    const auto failed = data.surface("r", radius);
-    ASSERT_FALSE(failed);
-    EXPECT_NE(failed.error().message.find("does not answer"), std::string::npos);
-    EXPECT_EQ(data.mesh("r", radius).position, before.position);
-}
-
-TEST(LevelSets, OfAProcessThatIsAtWorkAreWaitedForBeyondThePatienceAndNotBeyondTheLongestTime) {
-    const tests::TemporaryFolder folder;
-    auto options = usual();
-    options.process.program = folder / "works"; // in a child, as the extractor is
-    tests::write_file(options.process.program,
-                      "#!/bin/sh\nsh -c 'while kill -0 $PPID 2>/dev/null; do :; done' &\nwait\n");
-    std::filesystem::permissions(options.process.program, std::filesystem::perms::owner_all);
-    options.process.patience = std::chrono::milliseconds(100);
-    options.process.longest = std::chrono::milliseconds(1000);
-    const auto begun = std::chrono::steady_clock::now();
-    const auto failed = Data(cube(9), {{"r", distance}}, options).surface("r", radius);
-    ASSERT_FALSE(failed);
-    EXPECT_GE(std::chrono::steady_clock::now() - begun, options.process.longest);
-}
-
-TEST(LevelSets, OfAProcessThatHangsKeepNoPlaceOfTheComputePoolFromOtherSessions) {
-    const tests::TemporaryFolder folder;
-    const Data data{cube(9), {{"r", distance}}, hanging(folder)};
-    std::stop_source stop;
-    ComputePool pool(2);
-    for (int i = 0; i < 8; ++i)
-        pool.run("level" + std::to_string(i), PriorityClass::Long, [&] {
-            (void)data.levels->extract({"r", radius, 0.0, 1'000'000}, stop.get_token());
-        });
-    std::promise<void> ninth;
-    pool.run("stream", PriorityClass::Long, [&] { ninth.set_value(); });
-    EXPECT_EQ(ninth.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
-    stop.request_stop();
-}
-
-TEST(LevelSets, AreAskedForInTheOrderOfTheCallers) {
-    const tests::TemporaryFolder folder;
-    auto options = usual();
-    options.process.program =
-        folder / "notes"; // the first one hangs, the others note what they are asked
-    const std::string notes = (folder / "requests").string();
-    const std::string read = "head -c " + std::to_string(sizeof(importer::LevelRequest));
-    tests::write_file(options.process.program,
-                      "#!/bin/sh\nif mkdir " + notes + ".first 2>/dev/null; then\n" + read +
-                          " > /dev/null\nmkdir " + notes + ".asked\nexec sleep 600\nfi\n" + read +
-                          " >> " + notes + "\nhead -c 1000 /dev/zero\n");
-    std::filesystem::permissions(options.process.program, std::filesystem::perms::owner_all);
-    options.process.patience = std::chrono::milliseconds(300);
-    const Data data{cube(9), {{"r", distance}}, options};
-    std::stop_source first;
-    std::vector<std::jthread> threads;
-    for (std::uint64_t i = 0; i < 6; ++i) {
-        threads.emplace_back([&, i] {
-            (void)data.levels->extract({"r", radius, 0.0, i},
-                                       i == 0 ? first.get_token() : std::stop_token());
-        });
-        while (data.levels->asking() <= i)
-            std::this_thread::yield();
-    }
-    while (!std::filesystem::exists(notes + ".asked"))
-        std::this_thread::yield();
-    first.request_stop();
-    threads.clear();
-    const std::string text = tests::read_file(notes);
-    std::vector<std::uint64_t> order(text.size() / sizeof(importer::LevelRequest));
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        importer::LevelRequest request;
-        std::memcpy(&request, text.data() + i * sizeof(request), sizeof(request));
-        order[i] = request.most_triangles;
-    }
-    EXPECT_EQ(order, (std::vector<std::uint64_t>{1, 2, 3, 4, 5}));
-}
-
-TEST(LevelSets, OfAProcessThatAnswersNonsenseAreAnError) {
-    tests::TemporaryFolder folder;
-    auto options = usual();
-    options.process.program = folder / "lies";
-    tests::write_file(options.process.program,
-                      "#!/bin/sh\nhead -c 4000000 /dev/zero\nexec sleep 600\n");
-    std::filesystem::permissions(options.process.program, std::filesystem::perms::owner_all);
-    EXPECT_NE(Data(cube(9), {{"r", distance}}, options)
-                  .surface("r", radius)
-                  .error()
-                  .message.find("answered what is none"),
-              std::string::npos);
-}
-
-TEST(LevelSets, GivenUpWhileTheProcessIsAtWorkAreNotTheAnswerToTheNext) {
+TEST(LevelSets, GivenUpAreNotTheAnswerToTheNext) {
     const Data data{cube(16)};
     const auto before = data.mesh("h", 0.25);
     std::stop_source stop;
     stop.request_stop();
     for (int i = 0; i < 5; ++i)
-        (void)data.levels->extract({"r", radius, 0.0, 1'000'000}, stop.get_token());
+        (void)data.levels->values("r", 0.0, stop.get_token());
     EXPECT_EQ(data.mesh("h", 0.25).position, before.position);
 }
 
-TEST(LevelSets, KeepTheProcessWhileItIsUsedAndEndItWhenNoOneAsks) {
-    HandClock clock;
-    auto options = usual();
-    options.clock = &clock;
-    options.idle = std::chrono::seconds(30);
-    const Data data(cube(16), {{"r", distance}}, options);
-    EXPECT_FALSE(data.levels->process());
+TEST(LevelSets, CountTheirFieldAndGiveItBackWhenOthersNeedIt) {
+    const core::MemoryAccount account(std::size_t{1} << 30);
+    const Data data(cube(16), {{"r", distance}}, {account});
+    EXPECT_EQ(account.used(core::MemoryUse::Histories), 0u);
     (void)data.mesh("r", radius);
-    const auto process = data.levels->process();
-    ASSERT_TRUE(process);
-    clock.time += std::chrono::seconds(29);
-    EXPECT_FALSE(data.levels->take_idle());
-    (void)data.mesh("r", 0.5);
-    EXPECT_EQ(data.levels->process(), process);
-    clock.time += std::chrono::seconds(31);
-    EXPECT_TRUE(data.levels->take_idle());
-    EXPECT_FALSE(data.levels->process());
-    EXPECT_NE(::kill(*process, 0), 0) << "it has ended";
+    EXPECT_EQ(account.used(core::MemoryUse::Histories), 16u * 16 * 16 * sizeof(float));
+    account.make_room(account.budget());
+    EXPECT_EQ(account.used(core::MemoryUse::Histories), 0u);
     expect_sphere(data.mesh("r", radius), 2.0 / 15);
+
+    const core::MemoryAccount little(std::size_t{8} << 10);
+    EXPECT_EQ(Data(cube(16), {{"r", distance}}, {little}).surface("r", radius).error().code,
+              Error::Code::OverLimit);
 }
 
-TEST(LevelSets, CountTheirMemoryAndGiveItBackWhenOthersNeedIt) {
-    const core::MemoryAccount account(std::size_t{1} << 30);
-    auto options = usual();
-    options.account = account;
-    const Data data(cube(16), {{"r", distance}}, options);
-    EXPECT_EQ(account.used(core::MemoryUse::Importers), 0u);
-    (void)data.mesh("r", radius);
-    EXPECT_GT(account.used(core::MemoryUse::Importers), std::size_t{16} << 20);
-    account.make_room(account.budget());
-    EXPECT_EQ(account.used(core::MemoryUse::Importers), 0u);
-    EXPECT_FALSE(data.levels->process());
-    expect_sphere(data.mesh("r", radius), 2.0 / 15);
+TEST(LevelSets, OfTheFieldOfBeforeReadNothingAgain) {
+    const Data data{cube(9)};
+    const auto first = data.levels->values("r", 0.0, {}).value();
+    EXPECT_EQ(data.levels->values("r", 0.0, {}).value(), first) << "the same values in memory";
+    EXPECT_NE(data.levels->values("r", 0.5, {}).value(), first);
+    EXPECT_EQ(first->range[0], 0.0) << "held as long as they are used";
+}
 
-    const core::MemoryAccount little(std::size_t{8} << 20);
-    options.account = little;
-    EXPECT_EQ(Data(cube(16), {{"r", distance}}, options).surface("r", radius).error().code,
-              Error::Code::OverLimit);
+/// Time-steps that never come.
+class NoTimeSteps final : public core::TimeStepSource {
+  public:
+    explicit NoTimeSteps(const store::StoreReader& reader) : reader_(reader) {}
+
+    const core::Grid& grid() const override { return reader_.grid(); }
+
+    const core::SolidMask& mask() const override { return reader_.mask(); }
+
+    const std::vector<double>& times() const override { return reader_.times(); }
+
+    bool ready(std::size_t) const override { return true; }
+
+    std::size_t bytes_per_step() const override { return reader_.bytes_per_step(); }
+
+    core::Result<std::shared_ptr<const core::TimeStep>> load(std::size_t,
+                                                             std::stop_token stop) const override {
+        std::unique_lock lock(mutex_);
+        ++asked;
+        asked.notify_all();
+        stopped_.wait(lock, stop, [] { return false; });
+        return core::fail(Error::Code::Cancelled, "stopped");
+    }
+
+    mutable std::atomic<int> asked{0};
+
+  private:
+    const store::StoreReader& reader_;
+    mutable std::mutex mutex_;
+    mutable std::condition_variable_any stopped_;
+};
+
+TEST(LevelSets, ThatWaitForAFieldKeepNoPlaceOfTheComputePoolAndEndWhenTheyAreStopped) {
+    const tests::ScalarStore store(cube(9), {0.0, 1.0}, {{"r", distance}});
+    const auto source = std::make_shared<NoTimeSteps>(*store.reader());
+    const NodeFields fields(core::make_stored_flow(std::make_shared<core::TimeStepCache>(
+                                source, core::TimeStepCache::Options{})),
+                            store.reader(), "U", {});
+    std::stop_source stop;
+    std::atomic<int> cancelled{0};
+    ComputePool pool(2);
+    for (int i = 0; i < 8; ++i)
+        pool.run("level" + std::to_string(i), PriorityClass::Long, [&] {
+            const auto found = fields.values("U", 0.0, stop.get_token());
+            cancelled += !found && found.error().code == Error::Code::Cancelled ? 1 : 0;
+            cancelled.notify_all();
+        });
+    source->asked.wait(0);
+    std::promise<void> ninth;
+    pool.run("stream", PriorityClass::Long, [&] { ninth.set_value(); });
+    EXPECT_EQ(ninth.get_future().wait_for(std::chrono::seconds(10)), std::future_status::ready);
+    stop.request_stop();
+    for (int now = cancelled; now < 8; now = cancelled)
+        cancelled.wait(now);
+    EXPECT_EQ(fields.values("r", 0.0, {}).value()->range[0], 0.0) << "the next one is loaded";
 }
 
 TEST(LevelSets, MayBeAskedForByManyThreads) {
@@ -441,4 +332,4 @@ TEST(LevelSets, TravelAsAnySurface) {
 }
 
 } // namespace
-} // namespace wakesurf::server::level_sets_test
+} // namespace wakesurf::server::node_fields_test
