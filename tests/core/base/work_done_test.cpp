@@ -15,9 +15,9 @@ namespace wakesurf::core::work_done_test {
 namespace {
 
 /// Notes how far the work is whenever it looks at the time.
-class TriangleProbe final : public Clock {
+class ObservingClock final : public Clock {
   public:
-    explicit TriangleProbe(const WorkDone& work) : work_(work) {}
+    explicit ObservingClock(const WorkDone& work) : work_(work) {}
 
     std::chrono::steady_clock::time_point now() const override {
         seen.push_back(work_.fraction());
@@ -90,7 +90,7 @@ TEST(WorkDone, IsToldOnTheWayToASurfaceOfAnyKindAndToItsEnd) {
             if (kind == SurfaceKind::Time)
                 p.sweep = Vec3(1, 0, 0);
             WorkDone work;
-            const TriangleProbe clock(work);
+            const ObservingClock clock(work);
             ASSERT_TRUE(build_surface(*flow, rake, p, {}, clock, &work));
             EXPECT_EQ(work.fraction(), 1.0) << static_cast<int>(kind);
             EXPECT_TRUE(std::is_sorted(clock.seen.begin(), clock.seen.end()));
@@ -132,7 +132,7 @@ TEST(WorkDone, NeverStandsStillWhileASurfaceMovesNorRunsBackward) {
             SurfaceParameters p{
                 .kind = SurfaceKind::Streak, .to = to, .separation = 0.1, .max_quads = most};
             WorkDone work;
-            const TriangleProbe clock(work);
+            const ObservingClock clock(work);
             const auto surface = build_surface(*flow, rake, p, {}, clock, &work);
             ASSERT_TRUE(surface) << surface.error().message;
             EXPECT_EQ(surface->statistics.coarsened(), most == 900);
