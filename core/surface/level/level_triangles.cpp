@@ -247,10 +247,10 @@ Result<void> for_blocks(std::size_t count, const std::stop_token& stop, const Vi
 }
 
 /// An edge of the grid that the level crosses.
-struct EdgeCrossing {
+struct LevelCrossing {
     std::uint32_t low, high; ///< its nodes, by number
 
-    auto operator<=>(const EdgeCrossing&) const = default;
+    auto operator<=>(const LevelCrossing&) const = default;
 };
 
 class Contour {
@@ -273,7 +273,7 @@ class Contour {
         while (values_.size() >> nodes_bits_ > crossings / 4)
             ++nodes_bits_;
         const std::size_t meanwhile =
-            crossings * (sizeof(EdgeCrossing) + 2 * sizeof(std::uint32_t)) +
+            crossings * (sizeof(LevelCrossing) + 2 * sizeof(std::uint32_t)) +
             (buckets() + 1) * sizeof(std::uint32_t);
         auto done = work.takes(meanwhile + triangles * sizeof(out_.triangles[0]))
                         .and_then([&] { return cut(cells); })
@@ -338,12 +338,12 @@ class Contour {
     /// Makes one point of the crossings of one edge, in the order of edges.
     Result<void> number(const WorkPart& work) {
         const std::size_t buckets = this->buckets();
-        const auto bucket = [&](const EdgeCrossing& each) {
+        const auto bucket = [&](const LevelCrossing& each) {
             return std::size_t{each.low} >> nodes_bits_;
         };
         std::vector<std::uint32_t> end(buckets + 1, 0);
         std::vector<std::uint32_t> order(crossings_.size());
-        for (const EdgeCrossing& each : crossings_)
+        for (const LevelCrossing& each : crossings_)
             ++end[bucket(each) + 1];
         for (std::size_t b = 0; b < buckets; ++b)
             end[b + 1] += end[b];
@@ -389,7 +389,7 @@ class Contour {
     }
 
     /// Returns the place on the edge; at a node whose value is the level it is that of the node.
-    Vec3 place_of(const EdgeCrossing& edge) const {
+    Vec3 place_of(const LevelCrossing& edge) const {
         const double low = values_[edge.low];
         const double part = (level_ - low) / (double{values_[edge.high]} - low);
         const Vec3 from = node_position(grid_, edge.low);
@@ -447,7 +447,7 @@ class Contour {
     unsigned nodes_bits_ = 0;                     ///< a bucket is of 2^this nodes
     std::vector<std::uint64_t> triangles_before_; ///< each block, and all
     std::vector<std::uint64_t> crossings_before_; ///< likewise
-    std::vector<EdgeCrossing> crossings_;         ///< of each cell
+    std::vector<LevelCrossing> crossings_;        ///< of each cell
     std::vector<std::uint32_t> point_;            ///< of each crossing
     LevelTriangles out_;
 };
