@@ -168,7 +168,7 @@ class PictureTest(unittest.TestCase):
             self.refused("outside of the data.*0 to 10", lambda time=time: self.session.film("film", [1, time]), wakesurf.OutsideTimeRange)
         for time in (float("nan"), "end"):
             self.refused("the time is", lambda time=time: self.session.picture(time=time), wakesurf.InvalidParameters)
-        self.refused("one at least", lambda: self.session.film("film", []), wakesurf.InvalidParameters)
+        self.refused("one or more", lambda: self.session.film("film", []), wakesurf.InvalidParameters)
         for size, words in (((0, 300), "from 16 to 16384"), ((300, -1), "16"), ((300,), "width and height"), ((300.5, 200), "whole pixels"), (300, "width"),
                             (("300", "200"), "whole pixels"), ((20000, 20), "16384"), ((16000, 16000), "128 million")):
             self.refused("`size` is .*" + words, lambda size=size: self.session.picture(size=size), wakesurf.InvalidParameters)
@@ -224,7 +224,7 @@ class PictureTest(unittest.TestCase):
 
     def test_the_looks_that_are_refused_are_those_that_the_page_does_not_know(self):
         with open(os.path.join(ROOT, "web-client/src/state/surfaceLook.ts"), encoding="utf-8") as file:
-            page = dict(re.findall(r"^export const (\w+) = \[(.*)\] as const;", file.read(), re.M))
+            page = dict(re.findall(r"^(?:export )?const (\w+) = \[(.*)\] as const;", file.read(), re.M))
         hints = typing.get_type_hints(wakesurf.SurfaceLook)
         for name, there in (("map", "colourMaps"), ("lines", "lineKinds"), ("back_side", "backSides"), ("range_of", "rangesOf")):
             self.assertEqual(list(typing.get_args(hints[name])), re.findall(r"'(\w+)'", page[there]))
