@@ -80,7 +80,7 @@ TEST(PrivateFile, IsAPlainFileOfThisUserAndNothingElse) {
     EXPECT_TRUE(holds(refused("pipe"), "not a plain file")) << "and does not wait";
     EXPECT_NE(refused("folder"), "read");
     fs::create_hard_link(folder / "mine", folder / "second");
-    EXPECT_TRUE(holds(refused("second"), "another name"));
+    EXPECT_TRUE(holds(refused("second"), "second name"));
     fs::remove(folder / "second");
     EXPECT_EQ(*read_private_file(folder / "mine", 100), "precious");
     EXPECT_EQ(read_private_file(folder / "mine", 7).error().code, core::Error::Code::Corrupt);
