@@ -1,6 +1,6 @@
 // The program `wakesurf-bench`: parses what `wakesurf bench` hands over and runs the benchmarks asked for.
-#include "server/app/commands.hpp"
 #include "server/app/command_output.hpp"
+#include "server/app/commands.hpp"
 #include "server/base/shipped_files.hpp"
 #include "tests/bench/benchmarks.hpp"
 

@@ -10,7 +10,7 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr int boxes = 16;    ///< along each axis of the domain
+constexpr int boxes = 16;          ///< along each axis of the domain
 constexpr double share_kept = 0.7; ///< of what was learnt before
 
 constexpr double share = 1.0 / 32.0; ///< of the vertices

@@ -1,8 +1,8 @@
 // server.info, server.ping, server.stats.
-#include "protocol/api/openrpc.hpp"
 #include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/api/generated/server.hpp"
+#include "protocol/api/openrpc.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "server/net/methods/method.hpp"
 

@@ -1,5 +1,6 @@
 // Records that a start cannot use: they are kept, no one works with them unawares, and people are told.
 #include "server/data/child_process.hpp"
+#include "server/sessions/journal/state_store.hpp"
 #include "tests/support/programs.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
@@ -15,17 +16,26 @@ using nlohmann::json;
 
 namespace {
 
-/// As the first release left it after a zero-length rake was accepted while a dataset was being imported.
-constexpr const char* with_unsound_rakes = R"(
-CREATE TABLE records(session TEXT NOT NULL, type TEXT NOT NULL, id TEXT NOT NULL, json TEXT NOT NULL, PRIMARY KEY(session, type, id));
-PRAGMA application_id=2002873189;
-PRAGMA user_version=1;
-INSERT INTO records VALUES('main','session','','{"name":"main","seq":9,"nextRake":2,"nextSurface":1,"nextBookmark":1,"nextAnnotation":1}');
-INSERT INTO records VALUES('main','rake','r1','{"rake":"r1","rev":1,"kind":"line","points":[[0,0,0],[1,0,0]],"seeds":8,"name":"good","colour":"#102030","author":"Ada","clipped":false}');
-INSERT INTO records VALUES('main','rake','r2','{"rake":"r2","rev":1,"kind":"line","points":[[0,0,0],[0,0,0]],"seeds":8,"name":"no length","colour":"#102030","author":"Ada","clipped":false}');
-INSERT INTO records VALUES('main','participant','p1','not one');
-INSERT INTO records VALUES('session-7','session','','{');
-)";
+/// Writes records as they would be after a zero-length rake was accepted.
+void write_unsound_records(const std::string& file) {
+    auto store = server::StateStore::open(file);
+    ASSERT_TRUE(store) << store.error().message;
+    const auto rake = [](const std::string& id, const char* end, const char* name) {
+        return R"({"rake":")" + id + R"(","rev":1,"kind":"line","points":[[0,0,0],)" + end +
+               R"(],"seeds":8,"name":")" + name +
+               R"(","colour":"#102030","author":"Ada","clipped":false})";
+    };
+    server::PendingWrites changes;
+    changes.write("main",
+                  {{"session", "",
+                    R"({"name":"main","seq":9,"nextRake":2,"nextSurface":1,"nextBookmark":1,)"
+                    R"("nextAnnotation":1})"},
+                   {"rake", "r1", rake("r1", "[1,0,0]", "good")},
+                   {"rake", "r2", rake("r2", "[0,0,0]", "no length")},
+                   {"participant", "p1", "not one"}});
+    changes.write("session-7", {{"session", "", "{"}});
+    ASSERT_TRUE(store->apply(changes));
+}
 
 std::string column(const std::string& path, const std::string& query) {
     sqlite3* database = nullptr;
@@ -57,10 +67,7 @@ json printed_aside(const std::string& folder) {
 TEST(KeptAside, RecordsAreToldToPeopleAndOverwrittenByNothing) {
     const TemporaryFolder folder;
     const std::string path = folder / "sessions.sqlite";
-    sqlite3* database = nullptr;
-    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
-    ASSERT_EQ(sqlite3_exec(database, with_unsound_rakes, nullptr, nullptr, nullptr), SQLITE_OK);
-    sqlite3_close(database);
+    write_unsound_records(path);
     const std::vector<std::string> arguments{"flow:lamb-oseen", "--state", folder.path()};
     {
         ServerProcess server(arguments);
