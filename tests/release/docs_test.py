@@ -51,7 +51,7 @@ class Runner:
         self.environment = {name: value for name, value in os.environ.items() if not name.startswith("WAKESURF_")}
         self.environment.update(HOME=home, WAKESURF_STORE=store, WAKESURF_LISTEN="127.0.0.1:0",
                                 PATH=os.path.dirname(BINARY) + os.pathsep + os.environ["PATH"],
-                                PYTHONPATH=os.path.join(ROOT, "protocol", "python"), PYTHONDONTWRITEBYTECODE="1")
+                                PYTHONPATH=os.path.join(ROOT, "python"), PYTHONDONTWRITEBYTECODE="1")
 
     def placed(self, code):
         return code.replace(ADDRESS + "/#token=...", self.url).replace(ADDRESS, self.url.split("/#")[0]) if self.url else code
