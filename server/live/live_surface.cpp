@@ -53,12 +53,12 @@ LiveSurface::LiveSurface(
 LiveSurface::~LiveSurface() {
     stop_jobs();
     ring_->close();
-    let_go_of_build();
+    release_build();
 }
 
 /// A build may hold hundreds of megabytes, or be in use by another thread that wants memory.
-void LiveSurface::let_go_of_build() {
-    services_.pool.let_go(std::exchange(build_, nullptr));
+void LiveSurface::release_build() {
+    services_.pool.release(std::exchange(build_, nullptr));
 }
 
 void LiveSurface::stop_jobs() {
@@ -82,7 +82,7 @@ void LiveSurface::begin_build() {
     if (const SharedUpdate newest = ring_->newest())
         next_seq_ = newest->wire.seq + 1;
     ring_->begin(epoch_);
-    let_go_of_build();
+    release_build();
     shown_.reset();
     overtake_.reset();
     began_ = pass_wanted_ = asked_for_ = services_.clock.now();
@@ -360,7 +360,7 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
     }
     const bool more = next_pass().has_value();
     if (!more && !core::moves(wanted_.plan.parameters))
-        let_go_of_build(); // nothing will continue it
+        release_build(); // nothing will continue it
     if (pass.phase != Phase::Final || !more)
         events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
     if (!more)
@@ -386,7 +386,7 @@ void LiveSurface::conclude() {
     if (!error_)
         progress_.arrive();
     if (error_)
-        let_go_of_build();
+        release_build();
     events_.done(outcome());
     if (error_)
         waiters_->answer(epoch_, tl::unexpected(*error_));

@@ -184,7 +184,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     void conclude();
     void begin_epoch();
     void begin_build();
-    void let_go_of_build();
+    void release_build();
     void stop_jobs();
     void give_up_stale();
     void encode_key();

@@ -10,7 +10,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -55,36 +54,27 @@ class Freeing {
     std::jthread thread_{[this] { free_all(); }};
 };
 
-/// Light sessions have threads of full priority, never all of them for one session. The others have threads
-/// that leave the processors to those and to the network thread.
+/// A permit more than processors, so that one session alone can use them all.
 WorkerThreads::Rules quick_rules(unsigned cores) {
-    constexpr std::chrono::milliseconds patience{20};
-    const std::size_t each = std::max(2u, cores);
-    const std::size_t most = each + 32;
-    return {.queue = {.at_once = std::numeric_limits<std::size_t>::max(),
-                      .light_at_once = each - 1,
-                      .light_share = 0.5,
-                      .busy = 0.05,
-                      .memory = std::chrono::milliseconds(250)},
-            .light = {each, most, 0, patience},
-            .any = {each, most, crowd_niceness, patience},
-            .loop_threads = 1,
-            .charge_processor = true};
+    const std::size_t permits = std::max(2u, cores) + 1;
+    return {.permits = permits,
+            .most_threads = permits + 64,
+            .one_a_session = false,
+            .niceness = 0,
+            .patience = std::chrono::milliseconds(20),
+            .loop_threads = 1};
 }
 
-/// A session counts as light until its first job has run: after the patience the next light one has its
-/// turn.
+/// More permits than processors, because a job may wait for memory. After the patience jobs share the
+/// processors by the kernel's turns.
 WorkerThreads::Rules long_rules(unsigned cores) {
-    const std::size_t any = std::max(4u, 2 * cores);
-    return {.queue = {.at_once = 1,
-                      .light_at_once = 1,
-                      .light_share = 0.5,
-                      .busy = std::numeric_limits<double>::infinity(),
-                      .memory = std::chrono::milliseconds(4000)},
-            .light = {2, 4, long_niceness, std::chrono::milliseconds(500)},
-            .any = {any, any + 64, long_niceness, std::nullopt},
-            .loop_threads = cores,
-            .charge_processor = false};
+    const std::size_t permits = std::max(4u, 2 * cores);
+    return {.permits = permits,
+            .most_threads = permits + 64,
+            .one_a_session = true,
+            .niceness = long_niceness,
+            .patience = std::chrono::milliseconds(500),
+            .loop_threads = cores};
 }
 
 } // namespace
@@ -106,7 +96,7 @@ struct ComputePool::State {
     const unsigned cores;
     std::optional<Threads> threads; ///< empty: by hand
     std::mutex by_hand;             ///< guards the queues
-    FairQueue quick{quick_rules(cores).queue}, longer{long_rules(cores).queue};
+    FairQueue quick{1}, longer{1};
     std::atomic<std::uint64_t> without_session{0};
 };
 
@@ -132,7 +122,7 @@ void ComputePool::run(Job job) {
     run("\n" + std::to_string(state_->without_session++), PriorityClass::Long, std::move(job));
 }
 
-void ComputePool::let_go(std::shared_ptr<const void> thing) {
+void ComputePool::release(std::shared_ptr<const void> thing) {
     if (state_->threads && thing)
         state_->threads->freeing.push(std::move(thing));
 }
@@ -140,11 +130,11 @@ void ComputePool::let_go(std::shared_ptr<const void> thing) {
 bool ComputePool::turn() {
     std::unique_lock lock(state_->by_hand);
     for (FairQueue* queue : {&state_->quick, &state_->longer})
-        if (auto turn = queue->pop(FairQueue::Takes::Any, {})) {
+        if (auto turn = queue->pop()) {
             lock.unlock(); // it may queue others
             std::exchange(turn->job, nullptr)();
             lock.lock();
-            queue->done(turn->session, 0.0, {});
+            queue->done(turn->session, 0.0);
             return true;
         }
     return false;

@@ -1,7 +1,6 @@
 // The threads on which surfaces are computed, apart from the network thread, which never computes. Quick
-// and long passes have threads of their own, and sessions take turns in both. Long passes, and quick ones
-// of sessions that use much, run at lower priorities: the kernel slices them, so that no surface delays
-// another session.
+// and long passes have threads of their own, and the session served least goes first in both. Long passes
+// run at a lower priority: the kernel slices them, so that no surface delays another session.
 #pragma once
 
 #include <functional>
@@ -32,8 +31,8 @@ class ComputePool {
     ComputePool& operator=(const ComputePool&) = delete;
 
     /// Queues a job of a session, and waits for no other thread. Quick ones run on one thread each; one
-    /// session never has all threads of full priority. Of the long ones of a session one runs at a time;
-    /// its parallel loops use all cores. A job must not throw.
+    /// session never holds all permits. Of the long ones of a session one runs at a time; its parallel loops
+    /// use all cores. A job must not throw.
     void run(const std::string& session, PriorityClass priority, Job job);
 
     /// Queues a long job that belongs to no session: it has turns like a session of its own.
@@ -41,7 +40,7 @@ class ComputePool {
 
     /// Destroys a large object on a thread that nothing waits for: the network thread would be busy with it
     /// for milliseconds. By hand, at once.
-    void let_go(std::shared_ptr<const void> thing);
+    void release(std::shared_ptr<const void> thing);
 
     /// Runs the next job on the caller's thread, quick ones first, by hand only. Returns false when there
     /// is none.

@@ -1,106 +1,67 @@
 #include "server/live/compute/fair_queue.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <tuple>
 #include <utility>
 
 namespace wakesurf::server {
 
-namespace {
-
-constexpr double nothing = 1e-4; ///< s
-
-double seconds_of(std::chrono::steady_clock::duration time) {
-    return std::chrono::duration<double>(time).count();
-}
-
-} // namespace
-
-double RecentUse::at(const Use& use, Time now) const {
-    return use.seconds * std::exp(-seconds_of(now - use.since) / seconds_of(memory_));
-}
-
-void RecentUse::add(const std::string& session, double seconds, Time now) {
-    Use& use = uses_[session];
-    use = {at(use, now) + seconds, now};
-    if (now - swept_ > 40 * memory_)
-        forget_idle(now);
-}
-
-double RecentUse::share(const std::string& session, Time now) const {
-    const auto found = uses_.find(session);
-    return found == uses_.end() ? 0.0 : at(found->second, now) / seconds_of(memory_);
-}
-
-std::size_t RecentUse::busier_than(double share, Time now) const {
-    return static_cast<std::size_t>(
-        std::count_if(uses_.begin(), uses_.end(), [&](const auto& each) {
-            return at(each.second, now) > share * seconds_of(memory_);
-        }));
-}
-
-void RecentUse::forget_idle(Time now) {
-    swept_ = now;
-    std::erase_if(uses_, [&](const auto& each) { return at(each.second, now) < nothing; });
-}
-
 bool FairQueue::ready(const Line& line) const {
-    return !line.jobs.empty() && line.running < rules_.at_once;
+    return !line.jobs.empty() && line.running < at_once_;
+}
+
+/// A session that did not compete for a while is not owed what others were served meanwhile.
+void FairQueue::compete(Line& line) {
+    line.served = std::max(line.served, now_);
 }
 
 void FairQueue::push(const std::string& session, Job job) {
     Line& line = lines_[session];
-    const bool had_turn = ready(line);
+    const bool competed = ready(line);
     line.jobs.push_back(std::move(job));
     ++waiting_;
-    if (!had_turn && ready(line))
-        turns_.push_back(session);
+    if (competed || !ready(line))
+        return;
+    compete(line);
+    line.turn = ++turns_;
 }
 
-std::optional<FairQueue::Turn> FairQueue::pop(Takes which, Time now) {
-    if (which == Takes::Any)
-        return turns_.empty() ? std::nullopt : std::optional(take(turns_.begin()));
-    const auto busy = std::max<std::size_t>(2, use_.busier_than(rules_.busy, now));
-    const double limit = 2 * rules_.light_share / static_cast<double>(busy);
-    double least = limit;
-    auto found = turns_.end();
-    for (auto each = turns_.begin(); each != turns_.end(); ++each) {
-        const double used = lines_.at(*each).running < rules_.light_at_once
-                                ? use_.share(*each, now)
-                                : std::max(limit, use_.share(*each, now));
-        if (which == Takes::NotLight && used >= limit)
-            return take(each);
-        if (which == Takes::Light && used < least) {
-            least = used;
-            found = each;
-        }
-    }
-    return found == turns_.end() ? std::nullopt : std::optional(take(found));
-}
-
-FairQueue::Turn FairQueue::take(std::deque<std::string>::iterator session) {
-    Turn turn{std::move(*session), {}};
-    turns_.erase(session);
-    Line& line = lines_.at(turn.session);
-    turn.job = std::move(line.jobs.front());
+std::optional<FairQueue::Turn> FairQueue::pop() {
+    auto next = lines_.end();
+    const auto rank = [](const Line& line) { return std::tie(line.served, line.turn); };
+    for (auto each = lines_.begin(); each != lines_.end(); ++each)
+        if (ready(each->second) &&
+            (next == lines_.end() || rank(each->second) < rank(next->second)))
+            next = each;
+    if (next == lines_.end())
+        return std::nullopt;
+    Line& line = next->second;
+    Turn turn{next->first, std::move(line.jobs.front())};
     line.jobs.pop_front();
     ++line.running;
     --waiting_;
-    if (ready(line))
-        turns_.push_back(turn.session);
+    line.turn = ++turns_;
+    now_ = line.served;
     return turn;
 }
 
-void FairQueue::done(const std::string& session, double seconds, Time now) {
-    use_.add(session, seconds, now);
-    const auto found = lines_.find(session);
-    Line& line = found->second;
-    const bool had_turn = ready(line);
+void FairQueue::done(const std::string& session, double seconds) {
+    Line& line = lines_.at(session);
     --line.running;
-    if (!had_turn && ready(line))
-        turns_.push_back(session);
-    else if (line.jobs.empty() && line.running == 0)
-        lines_.erase(found);
+    line.served += seconds;
+    compete(line);
+    forget_idle();
+}
+
+/// Where nothing runs or waits no debt is left: nobody is there to whom it is owed.
+void FairQueue::forget_idle() {
+    const auto idle = [](const auto& each) {
+        return each.second.jobs.empty() && each.second.running == 0;
+    };
+    const bool all = std::ranges::all_of(lines_, idle);
+    std::erase_if(lines_, [&](const auto& each) {
+        return idle(each) && (all || each.second.served <= now_);
+    });
 }
 
 } // namespace wakesurf::server

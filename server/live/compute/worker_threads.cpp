@@ -65,9 +65,6 @@ double processor_seconds(std::thread::native_handle_type thread) {
 
 namespace {
 
-/// A session becomes light with time: threads for light ones look at waiting jobs this often.
-constexpr std::chrono::milliseconds light_poll_interval{50};
-
 /// oneTBB's workers take the priority of long jobs, which alone have parallel loops.
 class StepBack final : public oneapi::tbb::task_scheduler_observer {
   public:
@@ -87,13 +84,10 @@ class StepBack final : public oneapi::tbb::task_scheduler_observer {
 } // namespace
 
 WorkerThreads::WorkerThreads(const Rules& rules)
-    : rules_(rules),
-      queue_(rules.queue), light_{rules.light, FairQueue::Takes::Light, {}, rules.light.permits},
-      any_{rules.any, FairQueue::Takes::Any, {}, rules.any.permits} {
+    : rules_(rules), queue_(rules.one_a_session ? 1 : rules.permits - 1), free_(rules.permits) {
     const std::lock_guard lock(mutex_);
-    for (Threads* group : {&light_, &any_})
-        for (std::size_t i = 0; i < group->rules.permits; ++i)
-            start(*group);
+    for (std::size_t i = 0; i < rules_.permits; ++i)
+        start();
     keeper_ = std::jthread([this] { keep(); });
 }
 
@@ -105,21 +99,19 @@ WorkerThreads::~WorkerThreads() {
     }
     keepers_event_.notify_all();
     keeper_.join();
-    notify_others();
+    event_.notify_all();
     workers_.clear();
 }
 
 void WorkerThreads::run(const std::string& session, FairQueue::Job job) {
     arrived_.push({session, std::move(job)});
-    light_.event.notify_one();
-    if (light_asleep_ == 0)
-        any_.event.notify_one(); // to sort it, and perhaps to run it
+    event_.notify_one();
 }
 
-void WorkerThreads::start(Threads& group) {
-    Worker& worker = workers_.emplace_back(*this, group);
+void WorkerThreads::start() {
+    Worker& worker = workers_.emplace_back(*this);
     worker.thread = std::jthread([this, &worker] { serve(worker); });
-    ++group.count;
+    ++threads_;
 }
 
 /// The first thread that looks for work does it for all.
@@ -128,95 +120,79 @@ void WorkerThreads::sort() {
         queue_.push(each.session, std::move(each.job));
 }
 
-/// Threads for any session leave light ones to those that are for them alone, which may have a better
-/// priority.
-std::optional<FairQueue::Turn> WorkerThreads::next(const Threads& group) {
-    using Takes = FairQueue::Takes;
-    if (group.free == 0)
-        return std::nullopt;
-    const bool leaves_light = group.takes == Takes::Any && light_.free > 0;
-    const Takes takes = ending_ ? Takes::Any : leaves_light ? Takes::NotLight : group.takes;
-    return queue_.pop(takes, Clock::now());
-}
-
-void WorkerThreads::notify_others() {
-    light_.event.notify_all();
-    any_.event.notify_all();
-}
-
-void WorkerThreads::begin(Worker& self) {
-    --self.group.free;
+std::optional<FairQueue::Turn> WorkerThreads::begin(Worker& self) {
+    sort();
+    auto turn = free_ > 0 ? queue_.pop() : std::nullopt;
+    if (!turn)
+        return turn;
+    --free_;
     self.has_permit = true;
+    self.session = turn->session;
     self.since = Clock::now();
     self.seconds_before = processor_seconds();
     if (std::exchange(keeper_sleeps_, false))
         keepers_event_.notify_one();
+    return turn;
 }
 
-void WorkerThreads::end(Worker& self, const std::string& session) {
-    const auto now = Clock::now();
-    const double taken = std::chrono::duration<double>(now - *self.since).count();
-    queue_.done(session,
-                rules_.charge_processor ? processor_seconds() - self.seconds_before : taken, now);
-    self.since.reset();
-    if (std::exchange(self.has_permit, false))
-        ++self.group.free;
+void WorkerThreads::end(Worker& self) {
+    if (self.has_permit)
+        take_permit(self);
     else
-        --self.group.lenders;
+        --lenders_;
+    if (rules_.one_a_session)
+        queue_.done(self.session, self.served);
+    self.since.reset();
+}
+
+/// The job's session pays for the time that others could not have it.
+void WorkerThreads::take_permit(Worker& worker) {
+    worker.has_permit = false;
+    worker.served = std::chrono::duration<double>(Clock::now() - *worker.since).count();
+    ++free_;
+    if (!rules_.one_a_session)
+        queue_.done(worker.session, worker.served);
 }
 
 void WorkerThreads::serve(Worker& self) {
-    Threads& group = self.group;
-    const bool light = group.takes == FairQueue::Takes::Light;
     {
         const std::lock_guard lock(mutex_);
         self.id = own_thread_id();
     }
-    if (group.rules.niceness == 0)
+    if (rules_.niceness == 0)
         ask_for_short_slices();
     else
-        step_back(group.rules.niceness);
+        step_back(rules_.niceness);
     // An arena a thread: while it waits for its loop's other threads it cannot take on another job.
     oneapi::tbb::task_arena arena(static_cast<int>(rules_.loop_threads), 1);
     arena.initialize();
     const StepBack observer(arena);
     core::BlockingWait::listen(&self);
     while (!self.stepped_back) {
-        const auto seen = group.event.notifications();
+        const auto seen = event_.notifications();
         std::unique_lock lock(mutex_);
-        sort();
-        auto turn = next(group);
-        const bool others = queue_.waiting() > 0;
-        if (!turn && ending_ && !others)
+        auto turn = begin(self);
+        const bool more = queue_.waiting() > 0;
+        if (!turn && ending_ && !more)
             return;
-        if (turn)
-            begin(self);
         lock.unlock();
-        if (others && (turn || light))
-            any_.event.notify_one();
         if (!turn) {
-            light_asleep_ += light ? 1 : 0;
-            if (light && others)
-                group.event.wait(seen, light_poll_interval);
-            else
-                group.event.wait(seen);
-            light_asleep_ -= light ? 1 : 0;
+            event_.wait(seen);
             continue;
         }
+        if (more)
+            event_.notify_one();
         arena.execute(turn->job);
         turn->job = nullptr; // what the job holds goes before the threads may
         lock.lock();
-        end(self, turn->session);
+        end(self);
         if (ending_)
-            notify_others();
-        else if (queue_.waiting() > 0) // the session's next job may be for either group
-            for (Threads* each : {&light_, &any_})
-                each->event.notify_one();
+            event_.notify_all();
     }
     const std::lock_guard lock(mutex_);
-    --group.count;
+    --threads_;
     self.ended = true;
-    notify_others(); // it may have been woken for a job
+    event_.notify_one(); // the session's next job may wait for this one
 }
 
 void WorkerThreads::blocked(Worker& worker) {
@@ -227,24 +203,18 @@ void WorkerThreads::blocked(Worker& worker) {
 /// Each free permit has a thread that can take it: where no more threads may be started, the job keeps its
 /// own.
 void WorkerThreads::return_permit(Worker& worker) {
-    Threads& group = worker.group;
-    const bool enough = group.count - group.lenders > group.rules.permits;
-    if (!worker.has_permit || ending_ || (!enough && group.count >= group.rules.most_threads))
+    const bool enough = threads_ - lenders_ > rules_.permits;
+    if (!worker.has_permit || ending_ || (!enough && threads_ >= rules_.most_threads))
         return;
-    worker.has_permit = false;
-    ++group.lenders;
-    ++group.free;
+    take_permit(worker);
+    ++lenders_;
     if (!enough)
-        start(group);
-    group.event.notify_one();
+        start();
+    event_.notify_one();
 }
 
 /// Runs on the keeper's thread, and returns permits of jobs that have run for too long.
 void WorkerThreads::keep() {
-    constexpr auto forever = std::chrono::milliseconds::max();
-    const auto interval =
-        std::min(rules_.light.patience.value_or(forever), rules_.any.patience.value_or(forever)) /
-        4;
     for (;;) {
         const auto seen = keepers_event_.notifications();
         bool busy = false;
@@ -263,7 +233,7 @@ void WorkerThreads::keep() {
         }
         ended.clear(); // joins them
         if (busy)
-            keepers_event_.wait(seen, interval);
+            keepers_event_.wait(seen, rules_.patience / 4);
         else
             keepers_event_.wait(seen);
     }
@@ -271,12 +241,11 @@ void WorkerThreads::keep() {
 
 /// Returns whether it has a job that may run for too long.
 bool WorkerThreads::supervise(Worker& worker) {
-    const auto& patience = worker.group.rules.patience;
-    if (!worker.since || !patience)
+    if (!worker.since)
         return false;
-    if (Clock::now() - *worker.since > *patience)
+    if (Clock::now() - *worker.since > rules_.patience)
         return_permit(worker);
-    if (!worker.has_permit && !worker.stepped_back && worker.group.rules.niceness < long_niceness &&
+    if (!worker.has_permit && !worker.stepped_back && rules_.niceness < long_niceness &&
         processor_seconds(worker.thread.native_handle()) - worker.seconds_before > fair_seconds) {
         worker.stepped_back = true;
         step_back(long_niceness, worker.id);

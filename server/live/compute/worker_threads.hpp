@@ -1,7 +1,6 @@
 // The threads of one priority class. Each job holds a permit while it runs, so that few jobs share the
 // processors. A job that waits for data, or runs for longer than was expected, returns its permit early:
-// another thread takes it, and no job waits for that one. A part of the threads is for light sessions only
-// (fair_queue).
+// another thread takes it, and no job waits for that one.
 #pragma once
 
 #include "core/base/blocking_wait.hpp"
@@ -20,10 +19,8 @@
 
 namespace wakesurf::server {
 
-/// Sets the priority of a thread beside others of the machine, and measures its processor time.
-/// The niceness of threads that yield. Beside a thread that answers a client they get a third and a tenth
-/// of its time.
-constexpr int crowd_niceness = 5, long_niceness = 10;
+/// The niceness of threads that work for long: beside one that answers a client they get a tenth of its time.
+constexpr int long_niceness = 10;
 
 /// Returns the number that the system gives the calling thread.
 int own_thread_id();
@@ -46,23 +43,18 @@ double processor_seconds(std::thread::native_handle_type thread);
 /// Thread safety: run() may be called from any thread. The destructor waits for all jobs.
 class WorkerThreads {
   public:
-    struct Group {
-        std::size_t permits;      ///< jobs that run at a time, at least 1
-        std::size_t most_threads; ///< with those whose jobs have returned their permits
-        int niceness;             ///< added to that of the process
-        /// A job returns its permit after this time, and its thread takes long_niceness once it has used
-        /// `fair_seconds` of a processor. Empty: jobs may run for as long as they like.
-        std::optional<std::chrono::milliseconds> patience;
-    };
-
     struct Rules {
-        FairQueue::Rules queue;
-        Group light;
-        Group any;
+        std::size_t
+            permits; ///< jobs that run at a time; at least 2, since one session never has all
+        std::size_t most_threads; ///< with those whose jobs have returned their permits
+        /// A session's next job waits for the end of the one before, also where that has returned its permit.
+        bool one_a_session;
+        int niceness; ///< added to that of the process
+        /// A job returns its permit after this time, and its thread takes long_niceness once it has used
+        /// `fair_seconds` of a processor.
+        std::chrono::milliseconds patience;
         /// Threads that the parallel loops of a job use, its own included.
         unsigned loop_threads;
-        /// Sessions are charged for processor time, else for the time that their jobs take, waits included.
-        bool charge_processor;
     };
 
     static constexpr double fair_seconds = 0.02;
@@ -72,32 +64,25 @@ class WorkerThreads {
     WorkerThreads(const WorkerThreads&) = delete;
     WorkerThreads& operator=(const WorkerThreads&) = delete;
 
-    /// Queues a job and waits for no other thread. The job must not throw.
+    /// Queues a job and waits for no other thread. The job must not throw. Its session is charged for the
+    /// time that it holds its permit.
     void run(const std::string& session, FairQueue::Job job);
 
   private:
     using Clock = std::chrono::steady_clock;
 
-    struct Threads {
-        Group rules;
-        FairQueue::Takes takes;
-        core::EventCount event;
-        std::size_t free;        ///< permits
-        std::size_t count = 0;   ///< threads
-        std::size_t lenders = 0; ///< of them, those whose job has returned its permit
-    };
-
     struct Worker final : core::BlockingWait::Listener {
-        Worker(WorkerThreads& of, Threads& in) : pool(of), group(in) {}
+        explicit Worker(WorkerThreads& of) : pool(of) {}
 
         void blocks() override { pool.blocked(*this); }
 
         void goes_on() override {}
 
         WorkerThreads& pool;
-        Threads& group;
         std::optional<Clock::time_point> since; ///< when its job began
+        std::string session;                    ///< the job's
         double seconds_before = 0.0;            ///< of a processor, that it had had then
+        double served = 0.0;                    ///< s that its job held the permit
         bool has_permit = false, stepped_back = false, ended = false;
         int id = 0; ///< the system's
         std::jthread thread;
@@ -113,23 +98,23 @@ class WorkerThreads {
     void keep();
 
     // With the lock.
-    void start(Threads& group);
+    void start();
     void sort();
-    std::optional<FairQueue::Turn> next(const Threads& group);
-    void begin(Worker& self);
-    void end(Worker& self, const std::string& session);
+    std::optional<FairQueue::Turn> begin(Worker& self);
+    void end(Worker& self);
+    void take_permit(Worker& worker);
     void return_permit(Worker& worker);
     bool supervise(Worker& worker);
-    void notify_others();
 
     const Rules rules_;
     core::MpscQueue<Arrived> arrived_;
-    core::EventCount keepers_event_;
-    std::atomic<int> light_asleep_{0};
-    std::mutex mutex_; ///< guards what follows, but for the events
+    core::EventCount event_, keepers_event_;
+    std::mutex mutex_; ///< guards what follows
     FairQueue queue_;
-    Threads light_, any_;
     std::list<Worker> workers_;
+    std::size_t free_;        ///< permits
+    std::size_t threads_ = 0; ///< that serve
+    std::size_t lenders_ = 0; ///< of them, those whose job has returned its permit
     bool ending_ = false, keeper_sleeps_ = false;
     std::jthread keeper_;
 };

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <map>
 #include <random>
@@ -15,36 +14,27 @@ namespace wakesurf::server::fair_queue_test {
 
 namespace {
 
-using Takes = FairQueue::Takes;
-using std::chrono::milliseconds;
-
 constexpr auto no_limit = std::numeric_limits<std::size_t>::max();
-const FairQueue::Time start = FairQueue::Time{} + std::chrono::hours(1);
 
-/// Light sessions have used less than half a thread over the last second, less where more than two are busy.
-FairQueue::Rules rules(std::size_t at_once = no_limit, std::size_t light_at_once = no_limit) {
-    return {at_once, light_at_once, 0.5, 0.05, milliseconds(1000)};
-}
-
-std::string next(FairQueue& queue, Takes which, FairQueue::Time now = start) {
-    const auto turn = queue.pop(which, now);
+std::string next(FairQueue& queue) {
+    const auto turn = queue.pop();
     return turn ? turn->session : "";
 }
 
-/// Lets a session run a job that uses so many seconds.
-void use(FairQueue& queue, const std::string& session, double seconds, FairQueue::Time now) {
-    queue.push(session, [] {});
-    EXPECT_EQ(next(queue, Takes::Any, now), session);
-    queue.done(session, seconds, now);
+/// Lets the next job run for so many seconds. Returns its session.
+std::string run(FairQueue& queue, double seconds) {
+    const std::string session = next(queue);
+    queue.done(session, seconds);
+    return session;
 }
 
 /// The sessions in the order of their turns, each job done at once.
 std::vector<std::string> turns(FairQueue& queue) {
     std::vector<std::string> order;
-    while (const auto turn = queue.pop(Takes::Any, start)) {
+    while (const auto turn = queue.pop()) {
         turn->job();
         order.push_back(turn->session);
-        queue.done(turn->session, 0.0, start);
+        queue.done(turn->session, 0.0);
     }
     return order;
 }
@@ -52,7 +42,7 @@ std::vector<std::string> turns(FairQueue& queue) {
 } // namespace
 
 TEST(FairQueue, GivesSessionsTurnsHoweverManyJobsOneHas) {
-    FairQueue queue(rules());
+    FairQueue queue(no_limit);
     std::vector<int> ran;
     for (int i = 0; i < 4; ++i)
         queue.push("heavy", [&ran, i] { ran.push_back(i); });
@@ -62,106 +52,126 @@ TEST(FairQueue, GivesSessionsTurnsHoweverManyJobsOneHas) {
     EXPECT_EQ(ran, (std::vector<int>{0, 100, 1, 2, 3})) << "within a session the oldest first";
 }
 
-TEST(FairQueue, HoldsASessionsNextLongJobUntilTheOneBeforeIsDone) {
-    FairQueue queue(rules(1));
+TEST(FairQueue, HoldsASessionsNextJobWhileAsManyOfItsRunAsMay) {
+    FairQueue queue(1);
     queue.push("a", [] {});
     queue.push("a", [] {});
     queue.push("b", [] {});
-    EXPECT_EQ(next(queue, Takes::Any), "a");
-    EXPECT_EQ(next(queue, Takes::Any), "b");
-    EXPECT_EQ(next(queue, Takes::Any), "") << "a's first still runs";
+    EXPECT_EQ(next(queue), "a");
+    EXPECT_EQ(next(queue), "b");
+    EXPECT_EQ(next(queue), "") << "a's first still runs";
     EXPECT_EQ(queue.waiting(), 1U);
-    queue.done("a", 0.0, start);
-    EXPECT_EQ(next(queue, Takes::Any), "a");
+    queue.done("a", 0.0);
+    EXPECT_EQ(next(queue), "a");
     EXPECT_EQ(queue.waiting(), 0U);
 }
 
-TEST(FairQueue, LetsTheLightSessionThatHasUsedLeastGoFirst) {
-    FairQueue queue(rules());
-    use(queue, "drags", 0.02, start);
-    queue.push("drags", [] {});
-    queue.push("light", [] {});
-    EXPECT_EQ(next(queue, Takes::Light), "light");
-    EXPECT_EQ(next(queue, Takes::Light), "drags");
+TEST(FairQueue, DividesTheTimeEvenlyWhateverAJobOfEachTakes) {
+    const std::map<std::string, double> takes{{"short", 0.001}, {"long", 0.007}, {"longer", 0.02}};
+    FairQueue queue(no_limit);
+    for (const auto& [session, seconds] : takes)
+        for (int i = 0; i < 4'000; ++i)
+            queue.push(session, [] {});
+    std::map<std::string, double> served;
+    for (double total = 0.0; total < 9.0;) {
+        const auto turn = queue.pop();
+        ASSERT_TRUE(turn);
+        const double seconds = takes.at(turn->session);
+        queue.done(turn->session, seconds);
+        served[turn->session] += seconds;
+        total += seconds;
+        // Never more apart than the longest job.
+        for (const auto& [session, each] : served)
+            ASSERT_LE(std::abs(each - served.begin()->second), 0.02 + 1e-9) << session;
+    }
 }
 
-TEST(FairQueue, DoesNotTakeASessionForLightUntilWhatItHasUsedIsLongAgo) {
-    FairQueue queue(rules());
-    use(queue, "heavy", 1.0, start);
-    queue.push("heavy", [] {});
-    queue.push("light", [] {});
-    EXPECT_EQ(next(queue, Takes::NotLight), "heavy");
-    EXPECT_EQ(next(queue, Takes::NotLight), "") << "light is left for its own threads";
-    queue.done("heavy", 0.0, start);
-    queue.push("heavy", [] {});
-    EXPECT_EQ(next(queue, Takes::Light), "light");
-    EXPECT_EQ(next(queue, Takes::Light), "");
-    EXPECT_EQ(next(queue, Takes::Light, start + milliseconds(1000)), "heavy");
-}
-
-TEST(FairQueue, DoesNotTakeASessionForLightWhileAsManyOfItsJobsRunAsMay) {
-    FairQueue queue(rules(no_limit, 2));
-    for (int i = 0; i < 4; ++i)
-        queue.push("crowd", [] {});
-    queue.push("light", [] {});
-    EXPECT_EQ(next(queue, Takes::Light), "crowd");
-    EXPECT_EQ(next(queue, Takes::Light), "light");
-    EXPECT_EQ(next(queue, Takes::Light), "crowd");
-    EXPECT_EQ(next(queue, Takes::Light), "");
-    EXPECT_EQ(next(queue, Takes::NotLight), "crowd");
-    queue.done("crowd", 0.0, start);
-    queue.done("crowd", 0.0, start);
-    EXPECT_EQ(next(queue, Takes::Light), "crowd");
-}
-
-TEST(FairQueue, DividesTheLightShareAmongManyBusySessionsSoThatTheyLeaveRoom) {
-    FairQueue queue(rules());
-    const auto busy = [](int i) { return "busy " + std::to_string(i); };
-    for (int i = 0; i < 6; ++i) // each a quarter: less than it may have alone
-        use(queue, busy(i), 0.25, start);
+TEST(FairQueue, LetsASessionThatUsesLittleGoBeforeThoseThatUseAllTheyCanGet) {
+    FairQueue queue(no_limit);
     for (int i = 0; i < 6; ++i)
-        queue.push(busy(i), [] {});
-    EXPECT_EQ(next(queue, Takes::Light), "");
+        for (int job = 0; job < 100; ++job)
+            queue.push("busy " + std::to_string(i), [] {});
+    for (int edit = 0; edit < 10; ++edit) {
+        for (int i = 0; i < 12; ++i)
+            run(queue, 0.02);
+        queue.push("light", [] {});
+        EXPECT_EQ(run(queue, 0.004), "light");
+    }
+}
+
+TEST(FairQueue, ChargesASessionThatComesBackForWhatItUsedBefore) {
+    FairQueue queue(no_limit);
+    for (int i = 0; i < 3; ++i)
+        queue.push("steady", [] {});
+    queue.push("heavy", [] {});
+    EXPECT_EQ(run(queue, 0.001), "steady");
+    EXPECT_EQ(run(queue, 1.0), "heavy"); // it has no further job meanwhile
+    queue.push("heavy", [] {});
     queue.push("light", [] {});
-    EXPECT_EQ(next(queue, Takes::Light), "light");
+    EXPECT_EQ(run(queue, 0.001), "light");
+    EXPECT_EQ(run(queue, 0.001), "steady");
+    EXPECT_EQ(run(queue, 0.001), "steady");
+    EXPECT_EQ(run(queue, 0.001), "heavy");
+}
+
+TEST(FairQueue, OwesASessionNothingForTheTimeThatItWasIdle) {
+    FairQueue queue(no_limit);
+    for (int i = 0; i < 400; ++i)
+        queue.push("busy", [] {});
+    for (int i = 0; i < 100; ++i)
+        run(queue, 1.0);
+    for (int i = 0; i < 100; ++i)
+        queue.push("back", [] {});
+    std::map<std::string, int> turns;
+    for (int i = 0; i < 100; ++i)
+        ++turns[run(queue, 1.0)];
+    EXPECT_EQ(turns["back"], turns["busy"]);
+}
+
+TEST(FairQueue, ForgetsAllDebtsWhenNothingIsLeftToDo) {
+    FairQueue queue(no_limit);
+    queue.push("heavy", [] {});
+    run(queue, 100.0);
+    queue.push("heavy", [] {});
+    queue.push("light", [] {});
+    EXPECT_EQ(next(queue), "heavy") << "it came first";
 }
 
 TEST(FairQueue, LosesNoJobUnderRandomUse) {
     std::mt19937 random(11);
     for (const std::size_t at_once : {std::size_t{1}, std::size_t{3}, no_limit}) {
-        FairQueue queue(rules(at_once, 2));
-        FairQueue::Time now = start;
+        FairQueue queue(at_once);
         std::map<std::string, std::size_t> running;
         std::size_t pushed = 0, popped = 0, ran = 0;
-        for (int step = 0; step < 20'000; ++step, now += milliseconds(random() % 5)) {
+        for (int step = 0; step < 20'000; ++step) {
             const std::string session(1, static_cast<char>('a' + random() % 5));
             if (random() % 2 == 0) {
                 ++pushed;
                 queue.push(session, [&ran] { ++ran; });
-            } else if (auto turn = queue.pop(static_cast<Takes>(random() % 3), now)) {
+            } else if (auto turn = queue.pop()) {
                 ++popped;
                 turn->job();
                 ASSERT_LE(++running[turn->session], at_once);
             }
             if (running[session] > 0 && random() % 2 == 0) {
                 --running[session];
-                queue.done(session, 0.001 * static_cast<double>(random() % 8), now);
+                queue.done(session, 0.001 * static_cast<double>(random() % 8));
             }
             ASSERT_EQ(pushed, popped + queue.waiting());
             ASSERT_EQ(ran, popped);
         }
         for (auto& [session, jobs] : running)
             for (; jobs > 0; --jobs)
-                queue.done(session, 0.0, now);
+                queue.done(session, 0.0);
         popped += turns(queue).size();
         EXPECT_EQ(popped, pushed);
     }
 }
 
-TEST(FairQueue, LetsNoSessionWaitLongerThanOneTurnOfEachOther) {
+TEST(FairQueue, LetsNoSessionWaitLongerThanOneTurnOfEachOtherWhereAllJobsAreAlike) {
     std::mt19937 random(7);
     for (const bool one_a_session : {false, true}) {
-        FairQueue queue(rules(one_a_session ? 1 : no_limit));
+        FairQueue queue(one_a_session ? 1 : no_limit);
         std::vector<std::string> running;
         std::map<std::string, std::size_t> waiting, passed;
         for (int step = 0; step < 20'000; ++step) {
@@ -170,7 +180,7 @@ TEST(FairQueue, LetsNoSessionWaitLongerThanOneTurnOfEachOther) {
                 queue.push(session, [] {});
                 if (waiting[session]++ == 0)
                     passed[session] = 0;
-            } else if (const auto turn = queue.pop(Takes::Any, start)) {
+            } else if (const auto turn = queue.pop()) {
                 --waiting[turn->session];
                 passed[turn->session] = 0;
                 running.push_back(turn->session);
@@ -186,7 +196,7 @@ TEST(FairQueue, LetsNoSessionWaitLongerThanOneTurnOfEachOther) {
                     }
             }
             if (!running.empty() && random() % 3 == 0) {
-                queue.done(running.back(), 0.0, start);
+                queue.done(running.back(), 0.0);
                 running.pop_back();
             }
         }

@@ -1,4 +1,4 @@
-// Jobs of one priority class on threads: who waits for one that takes longer than expected, and which threads light sessions have.
+// Jobs of one priority class on threads: who waits for one that takes longer than expected.
 #include "server/live/compute/worker_threads.hpp"
 
 #include <gtest/gtest.h>
@@ -6,7 +6,6 @@
 
 #include <atomic>
 #include <future>
-#include <limits>
 #include <string>
 #include <thread>
 
@@ -18,17 +17,14 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds patience{20};
 
-/// Two permits for light sessions, which have had less than half a processor of the last quarter of a second, and two for any.
+/// Three permits, of which one session has two at most.
 WorkerThreads::Rules rules() {
-    return {.queue = {.at_once = std::numeric_limits<std::size_t>::max(),
-                      .light_at_once = 1,
-                      .light_share = 0.5,
-                      .busy = 0.05,
-                      .memory = milliseconds(250)},
-            .light = {2, 34, 0, patience},
-            .any = {2, 34, crowd_niceness, patience},
-            .loop_threads = 1,
-            .charge_processor = true};
+    return {.permits = 3,
+            .most_threads = 35,
+            .one_a_session = false,
+            .niceness = 0,
+            .patience = patience,
+            .loop_threads = 1};
 }
 
 int own_niceness() {
@@ -46,28 +42,36 @@ TEST(WorkerThreads, TakeMoreJobsWhileEachOfTheirsTakesLong) {
     WorkerThreads threads(rules());
     std::promise<void> release;
     const auto released = release.get_future().share();
-    for (int i = 0; i < 4; ++i) // as many as there are permits, of sessions of their own
+    for (int i = 0; i < 4; ++i) // more than there are permits, of sessions of their own
         hold(threads, "slow" + std::to_string(i), released);
-    std::promise<int> light;
-    threads.run("light", [&] { light.set_value(own_niceness()); });
-    EXPECT_LE(light.get_future().get(), own_niceness() + crowd_niceness);
+    std::promise<void> light;
+    threads.run("light", [&] { light.set_value(); });
+    light.get_future().wait();
     release.set_value();
 }
 
-TEST(WorkerThreads, RunTheJobsOfALightSessionAtFullPriorityAndItsCrowdBelow) {
-    WorkerThreads threads(rules());
-    std::promise<void> release;
-    const auto released = release.get_future().share();
-    std::promise<int> first, second;
-    threads.run("a", [&, released] {
-        first.set_value(own_niceness());
-        released.wait();
-    });
-    EXPECT_EQ(first.get_future().get(), own_niceness());
-    threads.run("a", [&] { second.set_value(own_niceness()); });
-    EXPECT_EQ(second.get_future().get(), own_niceness() + crowd_niceness)
-        << "one of the session runs already";
-    release.set_value();
+TEST(WorkerThreads, RunTheNextJobOfASessionOnceOneHasReturnedItsPermitUnlessOneRunsAtATime) {
+    for (const bool one_a_session : {false, true}) {
+        auto these = rules();
+        these.one_a_session = one_a_session;
+        WorkerThreads threads(these);
+        std::promise<void> release;
+        const auto released = release.get_future().share();
+        std::atomic<int> running{0};
+        for (int i = 0; i < 6; ++i)
+            threads.run("a", [&, released] {
+                ++running;
+                released.wait();
+            });
+        const int expected = one_a_session ? 1 : 6;
+        while (running < expected)
+            std::this_thread::yield();
+        std::promise<void> other;
+        threads.run("b", [&] { other.set_value(); });
+        other.get_future().wait();
+        EXPECT_EQ(running, expected);
+        release.set_value();
+    }
 }
 
 TEST(WorkerThreads, StepBackWithAJobThatKeepsAProcessor) {
@@ -109,8 +113,7 @@ TEST(WorkerThreads, DoNotLowerAJobThatOnlyWaits) {
 
 TEST(WorkerThreads, KeepTheirPermitsWhereNoMoreThreadsMayBeStarted) {
     auto few = rules();
-    few.light = {1, 1, 0, patience};
-    few.any = {1, 3, 0, patience};
+    few.most_threads = 4;
     WorkerThreads threads(few);
     std::promise<void> release;
     const auto released = release.get_future().share();
@@ -123,7 +126,7 @@ TEST(WorkerThreads, KeepTheirPermitsWhereNoMoreThreadsMayBeStarted) {
     while (running < 4)
         std::this_thread::yield();
     std::this_thread::sleep_for(2 * patience);
-    EXPECT_EQ(running, 4) << "one light thread and three for any session";
+    EXPECT_EQ(running, 4);
     release.set_value();
 }
 
