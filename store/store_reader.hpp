@@ -81,7 +81,7 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
     /// Returns the source of a store in bricks. load() and load_scalar() read all of them there.
     const core::BrickSource* bricks() const override;
 
-    void let_go() const override { slabs_->clear(); }
+    void release_memory() const override { slabs_->clear(); }
 
     /// Loads a scalar at a time-step, one float a node. Error: that of load.
     core::Result<core::Slab>

@@ -22,7 +22,7 @@ enum class MemoryUse {
     Builds,    ///< surfaces while they are computed and encoded
     Surfaces,  ///< what a surface that is shown keeps
     Rings,     ///< encoded updates, until the last reader has them
-    Histories, ///< checkpoints of moving surfaces
+    Histories, ///< checkpoints of moving surfaces, fields of level surfaces
     Downloads,
     Importers, ///< other processes
     Records,   ///< of sessions, and what undo needs of them
@@ -38,7 +38,7 @@ std::string_view name_of(MemoryUse use);
 enum class ReclaimOrder {
     SpareHeap, ///< what the allocator keeps of memory that was freed
     Downloads, ///< finished files, cached for the next request
-    Histories, ///< checkpoints that are not being played
+    Histories, ///< checkpoints that are not being played, fields that no level surface uses
     TimeSteps, ///< unused ones beyond the smallest window
     Surfaces, ///< old updates that only slow clients would read, then whole surfaces without viewers
     /// Stops the build that has exceeded small() for the longest; only for requests up to small(), one at a

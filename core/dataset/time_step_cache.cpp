@@ -187,7 +187,7 @@ TimeStepCache::TimeStepCache(std::shared_ptr<const TimeStepSource> source, Optio
                 if (freed.empty())
                     return;
                 freed.clear();
-                source->let_go();
+                source->release_memory();
                 state->announce();
             });
     }

@@ -90,7 +90,7 @@ class TimeStepSource {
     virtual const BrickSource* bricks() const { return nullptr; }
 
     /// Returns the memory that it keeps for the next load to the system.
-    virtual void let_go() const {}
+    virtual void release_memory() const {}
 };
 
 } // namespace wakesurf::core

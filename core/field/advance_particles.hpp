@@ -61,30 +61,33 @@ bool in_blocks(const Field& field,
                const Ahead& ahead = {}) {
     if constexpr (FieldWithCursor<Field>) {
         const std::size_t block = std::clamp<std::size_t>(count / 64, 4, 64);
-        const auto some = [&](std::size_t begin, std::size_t end) {
+        const auto advance_blocks = [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i != end; ++i)
                 advance(field.cursor(), i * block, std::min((i + 1) * block, count));
         };
-        return in_ranges((count + block - 1) / block, stop, some,
+        return in_ranges((count + block - 1) / block, stop, advance_blocks,
                          std::max<std::size_t>(least / block, 1));
     } else if constexpr (PagedField<Field>) {
-        const auto round = [&](std::size_t begin, std::size_t end) {
-            const auto some = [&](std::size_t from, std::size_t to) {
+        const auto advance_range = [&](std::size_t begin, std::size_t end) {
+            const auto with_view = [&](std::size_t from, std::size_t to) {
                 const Field view = field;
                 advance(view, begin + from, begin + to);
             };
-            return in_ranges(end - begin, stop, some, least);
+            return in_ranges(end - begin, stop, with_view, least);
         };
-        const auto some_ahead = [&](std::size_t begin, std::size_t end) {
+        const auto look_ahead_in = [&](std::size_t begin, std::size_t end) {
             const Field view = field;
             const std::size_t stride = (end - begin) / enough_ahead + 1;
             for (std::size_t i = begin; i < end; i += stride)
                 ahead(view, i);
         };
-        return MissingBricks::in_rounds(field.missing(), count, stop, again, round, some_ahead);
+        return MissingBricks::in_rounds(field.missing(), count, stop, again, advance_range,
+                                        look_ahead_in);
     } else {
-        const auto some = [&](std::size_t begin, std::size_t end) { advance(field, begin, end); };
-        return in_ranges(count, stop, some, least);
+        const auto advance_range = [&](std::size_t begin, std::size_t end) {
+            advance(field, begin, end);
+        };
+        return in_ranges(count, stop, advance_range, least);
     }
 }
 
@@ -132,7 +135,8 @@ bool advance_particles(const Field& field,
                        int sign,
                        const AdvanceOptions& options,
                        const std::stop_token& stop) {
-    const auto each = [&](const auto& view, std::size_t begin, std::size_t end, const auto& carry) {
+    const auto advance_each = [&](const auto& view, std::size_t begin, std::size_t end,
+                                  const auto& carry) {
         for (std::size_t i = begin; i != end; ++i) {
             if (!still_to_go(p, i, to, sign))
                 continue;
@@ -149,7 +153,7 @@ bool advance_particles(const Field& field,
         if (options.method == AdvanceOptions::Method::Dopri5) {
             std::atomic<bool> whole{true};
             const auto block = [&](const auto& view, std::size_t begin, std::size_t end) {
-                each(view, begin, end, [&](ParticleState& at) {
+                advance_each(view, begin, end, [&](ParticleState& at) {
                     if (!advance_in_series(view, at, to, options, p.tangents(), stop))
                         whole = false;
                 });
@@ -160,8 +164,9 @@ bool advance_particles(const Field& field,
         }
     }
     const auto block = [&](const auto& view, std::size_t begin, std::size_t end) {
-        each(view, begin, end,
-             [&](ParticleState& at) { advance_particle(view, at, to, options, p.tangents()); });
+        advance_each(view, begin, end, [&](ParticleState& at) {
+            advance_particle(view, at, to, options, p.tangents());
+        });
     };
     return in_blocks(field, p.count(), stop, block, 16, MissingBricks::Again::Restart,
                      ahead_of(p, sign));

@@ -56,14 +56,14 @@ bool end_in_gaps(const GridSampler<Grid>& field,
                  const std::stop_token& stop) {
     if (!field.gaps)
         return true;
-    const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
+    const auto end_points = [&](const auto& view, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i != end; ++i)
             if (still_to_go(particles, i, to, sign) &&
                 view.status(particles.position[i]) == PointStatus::OutsideDomain &&
                 !take_missed(view))
                 particles.end[i] = CurveEnd::Domain;
     };
-    return in_blocks(field, particles.count(), stop, some, 1024);
+    return in_blocks(field, particles.count(), stop, end_points, 1024);
 }
 
 /// Prepares curves that have come some way; those that have not yet begun find out themselves.
@@ -73,14 +73,14 @@ bool end_in_gaps(const GridSampler<Grid>& field,
                  const std::stop_token& stop) {
     if (!field.gaps)
         return true;
-    const auto some = [&](const auto& view, std::size_t begin, std::size_t end) {
+    const auto end_curves = [&](const auto& view, std::size_t begin, std::size_t end) {
         for (Curve& curve : curves.subspan(begin, end - begin))
             if (curve.end == CurveEnd::Running && curve.attempts > 0 &&
                 view.status(curve.last.position) == PointStatus::OutsideDomain &&
                 !take_missed(view))
                 curve.end = CurveEnd::Domain;
     };
-    return in_blocks(field, curves.size(), stop, some, 1024);
+    return in_blocks(field, curves.size(), stop, end_curves, 1024);
 }
 
 /// Samples on the grid of `Axes`: UniformGrid or RectilinearAxes. Thread safety: concurrent calls are fine.

@@ -65,12 +65,12 @@ class TwoSteps {
 
 constexpr std::size_t most_at_once = std::size_t{1} << 16;
 
-/// Calls `some` with ranges of the numbers from `begin` to `end`, until `stop` fires.
-template <class Some>
-void parallel(std::size_t begin, std::size_t end, const std::stop_token& stop, Some some) {
+/// Calls `body` with ranges of the numbers from `begin` to `end`, until `stop` fires.
+template <class Body>
+void parallel(std::size_t begin, std::size_t end, const std::stop_token& stop, Body body) {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(begin, end, 1024), [&](const auto& range) {
         if (!stop.stop_requested())
-            some(range.begin(), range.end());
+            body(range.begin(), range.end());
     });
 }
 
@@ -129,7 +129,7 @@ Result<void> sample_bricks(const Points& points,
     const auto second = both ? cache->table(step + 1, field) : nullptr;
     MissingBricks missing(cache, both ? std::vector{step, step + 1} : std::vector{step}, field);
     std::vector<std::uint8_t> done(count);
-    const auto some = [&](std::size_t begin, std::size_t end) {
+    const auto sample_range = [&](std::size_t begin, std::size_t end) {
         const BrickMisses misses(&missing);
         std::array<std::size_t, 8> place{};
         for (std::size_t k = begin; k != end; ++k) {
@@ -157,7 +157,7 @@ Result<void> sample_bricks(const Points& points,
     };
     const bool all = MissingBricks::in_rounds(&missing, count, stop, MissingBricks::Again::Restart,
                                               [&](std::size_t begin, std::size_t end) {
-                                                  parallel(begin, end, stop, some);
+                                                  parallel(begin, end, stop, sample_range);
                                                   return !stop.stop_requested();
                                               });
     if (all)

@@ -52,7 +52,7 @@ bool trace_curves(const Field& field,
             if (const std::size_t wanted = std::exchange(curve.wanted, 0))
                 missing->want(*options.memory, wanted);
         };
-        const auto round = [&](std::size_t begin, std::size_t end) {
+        const auto advance_range = [&](std::size_t begin, std::size_t end) {
             tbb::this_task_arena::isolate([&] {
                 tbb::parallel_for(
                     tbb::blocked_range<std::size_t>(begin, end, 4), [&](const auto& range) {
@@ -75,7 +75,7 @@ bool trace_curves(const Field& field,
             }
         };
         return MissingBricks::in_rounds(missing, curves.size(), stop, MissingBricks::Again::GoOn,
-                                        round, ahead);
+                                        advance_range, ahead);
     };
     if constexpr (FieldInSeries<Field>) {
         if (options.method == TraceOptions::Method::Dopri5)

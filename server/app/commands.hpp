@@ -3,12 +3,14 @@
 #pragma once
 
 #include "server/app/surface_request.hpp"
+#include "server/data/open_dataset.hpp"
 #include "store/command/source_options.hpp"
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -80,6 +82,14 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options);
 
 /// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
 int run_surface(const SurfaceOptions& options);
+
+/// Opens the dataset of a command that works without a server, imported first if needed, with its progress on
+/// standard error. @param store  empty: the default. Error: as resolve_dataset and open_dataset
+core::Result<LoadedDataset> open_for_command(const std::string& dataset,
+                                             const std::string& store,
+                                             const command::SourceOptions& taken,
+                                             const core::MemoryAccount& account,
+                                             std::stop_token stop);
 
 // `wakesurf family`: makes, lists or removes families of stream surfaces of a dataset, without a server.
 

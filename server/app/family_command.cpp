@@ -99,23 +99,6 @@ Result<FamilyWish> read_wish(const FamilyOptions& options) {
     });
 }
 
-Result<LoadedDataset> open_for_family(const FamilyOptions& options,
-                                      const core::MemoryAccount& account,
-                                      std::stop_token stop) {
-    const auto argument = resolve_dataset(options.dataset);
-    if (!argument)
-        return tl::unexpected(argument.error());
-    OpenOptions open;
-    open.store_root =
-        options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
-    open.cache.account = account;
-    open.taken = options.taken;
-    const auto show = [](const store::ImportProgress& progress) {
-        store::show_progress(progress, stderr);
-    };
-    return open_dataset(*argument, open, show, std::move(stop));
-}
-
 Result<core::FamilyRecord> made_in_arena(const LoadedDataset& dataset,
                                          const FamilyWish& wish,
                                          int threads,
@@ -153,7 +136,8 @@ Result<void> run_with(const FamilyOptions& options, const std::stop_token& stop)
     if (!wish)
         return tl::unexpected(wish.error());
     const ProcessAccount process(options.memory);
-    const auto dataset = open_for_family(options, process.account(), stop);
+    const auto dataset =
+        open_for_command(options.dataset, options.store, options.taken, process.account(), stop);
     if (!dataset)
         return tl::unexpected(dataset.error());
     if (remove)

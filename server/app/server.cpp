@@ -260,7 +260,7 @@ struct Server::Parts {
             [this](const core::Result<void>& turn) { tell_durability(turn); });
     }
 
-    /// Makes the backup, which accepts requests at once, but answers from what the journal has written.
+    /// Accepts requests for a backup at once, and answers from what the journal has written.
     std::unique_ptr<BackupCoordinator> start_backup_coordinator(const ServerOptions& options) {
         if (!journal)
             return nullptr;

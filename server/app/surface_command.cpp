@@ -21,7 +21,6 @@
 #include "server/app/surface_passes.hpp"
 #include "server/app/surface_request.hpp"
 #include "server/base/process_account.hpp"
-#include "server/data/open_dataset.hpp"
 #include "server/data/surface_scalars.hpp"
 #include "store/command/memory_size.hpp"
 
@@ -89,26 +88,28 @@ int draw_surface(const SurfaceOptions& options, const SurfaceRequest& request) {
     return become_python("draw", words);
 }
 
+core::Result<LoadedDataset> open_for_command(const std::string& dataset,
+                                             const std::string& store,
+                                             const command::SourceOptions& taken,
+                                             const core::MemoryAccount& account,
+                                             std::stop_token stop) {
+    const auto argument = resolve_dataset(dataset);
+    if (!argument)
+        return tl::unexpected(argument.error());
+    OpenOptions open;
+    open.store_root = store.empty() ? default_store_root() : std::filesystem::path(store);
+    open.cache.account = account;
+    open.taken = taken;
+    const auto show = [](const store::ImportProgress& progress) {
+        store::show_progress(progress, stderr);
+    };
+    return open_dataset(*argument, open, show, std::move(stop));
+}
+
 namespace {
 
 /// The memory for putting a file together, in bytes a vertex, scalars included.
 constexpr std::size_t file_bytes = 300;
-
-core::Result<LoadedDataset>
-open(const SurfaceOptions& options, const core::MemoryAccount& account, std::stop_token stop) {
-    const auto argument = resolve_dataset(options.dataset);
-    if (!argument)
-        return tl::unexpected(argument.error());
-    OpenOptions open;
-    open.store_root =
-        options.store.empty() ? default_store_root() : std::filesystem::path(options.store);
-    open.cache.account = account;
-    open.taken = options.taken;
-    const auto show = [](const store::ImportProgress& progress) {
-        store::show_progress(progress, stderr);
-    };
-    return open_dataset(*argument, open, show, stop);
-}
 
 /// Builds one pass. @param dataset  its name
 core::Result<BuiltSurface> build(const std::string& dataset,
@@ -280,7 +281,8 @@ core::Result<void> make(const SurfaceOptions& options,
                         const std::stop_token& stop) {
     const auto lines = request.lines;
     const ProcessAccount process(options.memory);
-    const auto dataset = open(options, process.account(), limit.token());
+    const auto dataset = open_for_command(options.dataset, options.store, options.taken,
+                                          process.account(), limit.token());
     if (!dataset)
         return tl::unexpected(nothing_yet(dataset.error(), limit));
     const auto plan = planned(std::move(request), options, *dataset, limit.token());

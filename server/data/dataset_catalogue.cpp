@@ -192,11 +192,11 @@ DatasetCatalogue::Entry* DatasetCatalogue::take_next(Work kind, const std::stop_
             return rested;
         }
         const std::uint64_t seen = wakeups_;
-        const auto news = [&] { return wakeups_ != seen; };
+        const auto woken = [&] { return wakeups_ != seen; };
         if (next == Clock::time_point::max())
-            again_.wait(lock, stop, news);
+            again_.wait(lock, stop, woken);
         else
-            again_.wait_until(lock, stop, next, news);
+            again_.wait_until(lock, stop, next, woken);
     }
     return nullptr;
 }
@@ -228,8 +228,8 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
     }
     const auto ended = Clock::now();
     const auto took = ended - started;
-    const bool news = entry.status.values != before;
-    const Clock::duration rest = first ? Clock::duration(0) : news ? took : 20 * took;
+    const bool changed = entry.status.values != before;
+    const Clock::duration rest = first ? Clock::duration(0) : changed ? took : 20 * took;
     {
         const std::scoped_lock lock(mutex_);
         entry.busy = false;

@@ -72,7 +72,7 @@ core::Result<void> stored_bricks(const std::shared_ptr<core::BrickCache>& cache,
     const auto second = cache->table(steps.back(), brick_field);
     core::MissingBricks missing(cache, steps, brick_field);
     std::vector<bool> done(cache->layout().count());
-    const auto some = [&](std::size_t begin, std::size_t end) {
+    const auto read_bricks = [&](std::size_t begin, std::size_t end) {
         const core::BrickMisses misses(&missing);
         for (std::size_t brick = begin; brick != end && !stop.stop_requested(); ++brick) {
             if (done[brick])
@@ -94,7 +94,7 @@ core::Result<void> stored_bricks(const std::shared_ptr<core::BrickCache>& cache,
         return !stop.stop_requested();
     };
     if (core::MissingBricks::in_rounds(&missing, done.size(), stop,
-                                       core::MissingBricks::Again::Restart, some))
+                                       core::MissingBricks::Again::Restart, read_bricks))
         return {};
     return missing.error() ? tl::unexpected(*missing.error())
                            : core::fail(core::Error::Code::Cancelled, "reading was cancelled");

@@ -87,7 +87,7 @@ class RankedStore final : public core::TimeStepSource {
 
     const core::BrickSource* bricks() const override { return &ranks_; }
 
-    void let_go() const override { reader_->let_go(); }
+    void release_memory() const override { reader_->release_memory(); }
 
     RankBricks& ranks() { return ranks_; }
 

@@ -174,9 +174,9 @@ bool plain(const ZarrArray& array) {
 } // namespace
 
 std::size_t most_stored_bytes(const ZarrArray& array) {
-    constexpr std::size_t some = 4096;
+    constexpr std::size_t coder_headers = 4096;
     return array.coders.empty() ? array.chunk_bytes()
-                                : array.chunk_bytes() + array.chunk_bytes() / 64 + some;
+                                : array.chunk_bytes() + array.chunk_bytes() / 64 + coder_headers;
 }
 
 std::size_t chunk_reading_bytes(const ZarrArray& array) {
@@ -207,7 +207,7 @@ bool read_values(const ZarrArray& array,
                  std::size_t count) {
     bool finite = true;
     with_reader(array, [&](const auto& number_at) {
-        const auto each = [&](const auto& value_at) {
+        const auto convert = [&](const auto& value_at) {
             for (std::size_t i = 0; i < count; ++i) {
                 const float value = value_at(from + i * from_stride);
                 finite = finite && std::isfinite(value);
@@ -215,9 +215,9 @@ bool read_values(const ZarrArray& array,
             }
         };
         if (plain(array))
-            each([&](const std::byte* at) { return static_cast<float>(number_at(at)); });
+            convert([&](const std::byte* at) { return static_cast<float>(number_at(at)); });
         else
-            each([&](const std::byte* at) {
+            convert([&](const std::byte* at) {
                 return static_cast<float>(value_of(array, static_cast<double>(number_at(at))));
             });
     });

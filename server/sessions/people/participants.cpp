@@ -57,7 +57,7 @@ Participants::Participants(
     std::string session, Loop& loop, Entropy& entropy, Journal* journal, UnixTime unix_time)
     : session_(std::move(session)), loop_(loop), entropy_(entropy), journal_(journal),
       unix_time_(std::move(unix_time)),
-      news_(
+      events_(
           loop,
           [this] {
               const std::size_t told = std::max<std::size_t>(present_.size(), 1);
@@ -108,7 +108,7 @@ core::Result<Joined> Participants::join(const Arrival& arrival, Observer& observ
     keep(place);
     if (before != nullptr && before != &observer)
         before->sent_away(Farewell::Displaced);
-    news_.changed(place.id, member::person | protocol::said(place.presence));
+    events_.changed(place.id, member::person | protocol::said(place.presence));
     return joined;
 }
 
@@ -177,7 +177,7 @@ void Participants::leave(const Observer& observer) {
     const std::int64_t now = unix_time_();
     keep(*place, now);
     put_away(std::move(*place), now, false);
-    news_.left(id);
+    events_.left(id);
 }
 
 void Participants::lose(const Observer& observer) {
@@ -188,7 +188,7 @@ void Participants::lose(const Observer& observer) {
     const std::int64_t now = unix_time_();
     keep(*place, now);
     put_away(std::move(*place), now, true);
-    news_.changed(id, member::connected);
+    events_.changed(id, member::connected);
 }
 
 void Participants::put_away(Participant place, std::int64_t left, bool show) {
@@ -211,7 +211,7 @@ void Participants::hide(const std::string& id) {
         return;
     found->shown.reset();
     found->place.presence = {};
-    news_.left(id);
+    events_.left(id);
 }
 
 /// Forgets participants who left too long ago, and of too many the oldest of the link by which most came,
@@ -242,7 +242,7 @@ void Participants::forget(std::deque<Absent>::iterator going) {
     absent_.erase(going);
     strike(gone.place);
     if (gone.shown)
-        news_.left(gone.place.id);
+        events_.left(gone.place.id);
 }
 
 void Participants::update(const Observer& observer, const protocol::PresenceUpdate& now) {
@@ -255,7 +255,7 @@ void Participants::update(const Observer& observer, const protocol::PresenceUpda
                                  take(mine.dragging, now.dragging, member::dragging) |
                                  take(mine.selected, now.selected, member::selected);
         if (changed != 0)
-            news_.changed(each.id, changed);
+            events_.changed(each.id, changed);
         return;
     }
 }
@@ -306,7 +306,7 @@ void Participants::set_role(const std::string& id, Role role) {
                                    [&](const Absent& each) { return each.place.id == id; });
     keep(*place, away == absent_.end() ? std::nullopt : std::optional(away->left));
     if (visible(id) != nullptr)
-        news_.changed(id, member::role);
+        events_.changed(id, member::role);
     // The one thing about oneself that others decide.
     if (place->observer != nullptr)
         place->observer->presence(protocol::presence_patched(
@@ -316,7 +316,7 @@ void Participants::set_role(const std::string& id, Role role) {
 void Participants::remove(const std::string& id) {
     const Participant place = take_place(known(id)->token);
     strike(place);
-    news_.left(id);
+    events_.left(id);
     if (place.observer != nullptr)
         place.observer->sent_away(Farewell::Removed);
 }

@@ -147,7 +147,7 @@ class Participants {
     std::vector<Participant> present_;
     std::deque<Absent> absent_; ///< who left last comes last
     std::size_t next_ = 1;
-    PresenceEvents news_;
+    PresenceEvents events_;
 };
 
 } // namespace wakesurf::server

@@ -76,11 +76,11 @@ TEST(ChunkCache, WaitsForRoomThatOthersUse) {
     ChunkCache cache(3 * bytes);
     Fetched fetched{cache};
     std::latch used(1);
-    std::latch let_go(1);
+    std::latch go_on(1);
     std::jthread user([&] {
         ASSERT_TRUE(fetched.get(1, [&](auto) {
             used.count_down();
-            let_go.wait();
+            go_on.wait();
         }));
     });
     used.wait();
@@ -90,7 +90,7 @@ TEST(ChunkCache, WaitsForRoomThatOthersUse) {
         {0, 2}, 2 * bytes + 900, {}, [](auto) {}, stop.get_token());
     EXPECT_EQ(none.error().code, core::Error::Code::Cancelled);
     std::jthread waiting([&] { ASSERT_TRUE(fetched.get(2)); });
-    let_go.count_down();
+    go_on.count_down();
     waiting.join();
     EXPECT_EQ(fetched.times, 2);
     EXPECT_LE(cache.bytes(), 3 * bytes);
