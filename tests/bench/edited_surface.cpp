@@ -71,11 +71,11 @@ json EditedSurface::complete() {
     return client_.call("surface.wait", {{"surface", surface_}, {"timeoutMs", 60'000}});
 }
 
-void EditedSurface::until_frame_after(std::uint32_t epoch) {
+std::uint32_t EditedSurface::until_frame_after(std::uint32_t epoch) {
     for (;;) {
         const protocol::Bytes bytes = client_.next_frame();
         if (const auto frame = protocol::read_frame(bytes); frame && frame->header.epoch > epoch)
-            return;
+            return frame->header.epoch;
     }
 }
 

@@ -31,8 +31,8 @@ class EditedSurface {
     /// Returns the statistics of the surface, once it is complete.
     nlohmann::json complete();
 
-    /// Reads frames up to the first of an epoch after `epoch`.
-    void until_frame_after(std::uint32_t epoch);
+    /// Reads frames up to the first of an epoch after `epoch`; returns its epoch.
+    std::uint32_t until_frame_after(std::uint32_t epoch);
 
   private:
     nlohmann::json rake() const;

@@ -55,25 +55,31 @@ class Watchdog {
     std::jthread thread_;
 };
 
-/// Seconds from each edit to the first frame that shows it, and to the whole surface.
+/// Seconds from each edit to the first frame that shows it, and to the whole surface, unless the server had no
+/// memory for that.
 struct Edits {
     std::vector<double> shown, whole;
+    std::size_t refused = 0;
 };
 
 Edits edit(EditedSurface& surface, Clock::duration time) {
     Edits times;
     Watchdog watchdog(surface.client());
-    auto before = surface.complete();
+    std::uint32_t epoch = surface.complete()["epoch"];
     for (const auto end = Clock::now() + time; Clock::now() < end;) {
         const auto start = Clock::now();
         const auto since = [&] {
             return std::chrono::duration<double>(Clock::now() - start).count();
         };
         surface.client().send("rake.set", surface.next_edit());
-        surface.until_frame_after(before["epoch"]);
+        epoch = surface.until_frame_after(epoch);
         times.shown.push_back(since());
-        before = surface.complete();
-        times.whole.push_back(since());
+        try {
+            surface.complete();
+            times.whole.push_back(since());
+        } catch (const std::runtime_error&) {
+            ++times.refused;
+        }
         watchdog.feed();
         std::this_thread::sleep_for(between_edits);
     }
@@ -159,6 +165,7 @@ void measure(benchmark::State& state, const std::string& dataset, int seconds) {
         state.counters["beside_whole_p50_ms"] = 1e3 * quantile(beside.whole, 0.5);
         state.counters["beside_whole_p99_ms"] = 1e3 * quantile(beside.whole, 0.99);
         state.counters["light_edits"] = static_cast<double>(beside.shown.size());
+        state.counters["light_refused"] = static_cast<double>(beside.refused);
         state.counters["ratio_p99"] = quantile(beside.shown, 0.99) / quantile(alone.shown, 0.99);
         state.counters["target_ratio_p99"] = target_ratio;
         state.counters["hostile_edits"] = static_cast<double>(edits);
