@@ -13,7 +13,7 @@ from jsonschema import Draft7Validator
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "protocol", "api"))
-from generator import openrpc, outputs, schema  # noqa: E402
+from generator import markdown, openrpc, outputs, schema  # noqa: E402
 
 
 def example_faults(api):
@@ -51,6 +51,20 @@ def bare_methods(text, methods):
                 yield f"{number}: {said}"
 
 
+def sections(page):
+    """Heading -> what is below it, without examples."""
+    parts = re.split(r"(?m)^##+ (.*)\n", re.sub(r"(?s)```.*?```", "", page))
+    return dict(zip(parts[1::2], parts[2::2]))
+
+
+def members(text, below):
+    """Names that a part of docs/api.md describes, or says to be described elsewhere."""
+    found = set(re.findall(r"(?m)^(?:\| |- |Parameter |Member |Answers )`(\w+)`", text))
+    for names in re.findall(r"(?:\[Common parameters\]|As in \[.*?\])\(.*?\): (.*)", text):
+        found.update(re.findall(r"`(\w+)`", names))
+    return found.union(*(members(below[shape], below) for shape in re.findall(r"With the members of \[(\w+)\]", text)))
+
+
 class TheDescription(unittest.TestCase):
     maxDiff = None
 
@@ -60,6 +74,18 @@ class TheDescription(unittest.TestCase):
 
     def test_is_what_the_document_made_from_it_says(self):
         self.assertEqual(outputs.kept(outputs.CHECKED_IN), outputs.make(self.api)[outputs.CHECKED_IN], "run protocol/api/generate")
+
+    def test_is_whole_in_the_document_although_it_says_things_once(self):
+        below = sections(outputs.make(self.api)[outputs.CHECKED_IN])
+        told = [(name, below[name], shape) for name, shape in self.api.shapes.items() if markdown.is_told(shape)]
+        told += [(name, below[name + " (notification)"], params) for name, _, _, params in self.api.notifications]
+        for method in self.api.methods:
+            taken, answered = re.split(r"(?m)^(?=Answers)", below[method.name])
+            told += [(method.name, taken, method.params)]
+            told += [] if f"[{method.result.name}]" in answered else [(method.name, answered, method.result)]
+        for name, text, node in told:
+            with self.subTest(name):
+                self.assertLessEqual({each.name for each in node.fields}, members(text, below))
 
     def test_is_named_in_backticks_by_all_that_is_said(self):
         methods = {each.name for each in self.api.methods}
