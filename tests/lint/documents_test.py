@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""No document and no comment cites a document that is not here.
+"""No document and no comment cites a document that is not here, and no document a source file that is not.
 
 Standard library only. Run it alone with: python3 tests/lint/documents_test.py
 """
@@ -14,6 +14,7 @@ SOURCE = (".cpp", ".hpp", ".ts", ".py", ".sh", ".md", ".css", ".txt", ".cff")
 
 LINK = re.compile(r"\[[^\]]*\]\((?!https?:)([^)#\s]+)(?:#[^)]*)?\)")
 CITED = re.compile(r"(?<![\w/.-])((?:[\w.-]+/)*[\w-]+\.md)\b")
+NAMED = re.compile(r"(?<![\w/.*>-])((?:[\w-]+/)*[a-z][\w.-]*\.(?:hpp|cpp|ts))\b")  # NOUN_methods.cpp and *_test.cpp stand for many
 
 
 def files():
@@ -41,11 +42,24 @@ def missing_documents(path, text, there=None):
             yield f"{path}:{line}: names {target}, which is not in the repository"
 
 
+def missing_sources(path, text, all_files):
+    """Source files are named from the root, from a folder on the way to the document, or by their ends."""
+    if path.endswith(".md"):
+        known = {each[i:] for each in all_files for i in (0, *(found.end() for found in re.finditer("/", each)))}
+        for match in NAMED.finditer(text):
+            if match.group(1) not in known and not re.search("[A-Z]{3}", match.group(1)):
+                yield f"{path}:{text.count(chr(10), 0, match.start()) + 1}: names {match.group(1)}, which is not in the repository"
+
+
 class Documents(unittest.TestCase):
     maxDiff = None
 
     def test_that_are_cited_are_in_the_repository(self):
         self.assertEqual([each for path in files() if path.endswith(SOURCE) for each in missing_documents(path, text_of(path))], [])
+
+    def test_name_source_files_that_are_in_the_repository(self):
+        there = files()
+        self.assertEqual([each for path in there if path.endswith(".md") for each in missing_sources(path, text_of(path), there)], [])
 
 
 class TheLinter(unittest.TestCase):
@@ -61,6 +75,11 @@ class TheLinter(unittest.TestCase):
         for path, text in good:
             with self.subTest(path=path, text=text):
                 self.assertEqual(list(missing_documents(path, text, there)), [])
+
+    def test_finds_source_files_that_are_not_there(self):
+        there = ["core/base/result.hpp", "web-client/src/ui/app.ts"]
+        self.assertEqual(list(missing_sources("a.md", "see base/result.hpp, `app.ts` and *_test.cpp; NOUN_methods.cpp", there)), [])
+        self.assertEqual(len(list(missing_sources("a.md", "see `core/result.hpp`\nand told_words.hpp", there))), 2)
 
     def test_sees_the_project(self):
         self.assertIn("README.md", files())
