@@ -86,7 +86,7 @@ def differences(there, words, what):
 
 def entry(title, words):
     cause, cure = words
-    return f"### {title}\n\n{cause}\n\n**What to do.** {cure}\n\n"
+    return f"### {title}\n\n{cause}\n\n**Cure:** {cure}\n\n"
 
 
 def text():
