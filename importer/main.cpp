@@ -89,8 +89,7 @@ int run(const Wish& wish, const importer::OwnOutput& out) {
         if (!info)
             return failed(out.errors, wish, info.error());
         info->note = importer::without_folders(info->note, folders_of(wish));
-        std::fprintf(out.results, "%s\n",
-                     protocol::json_text(protocol::dataset_json(*info), 2).c_str());
+        std::fprintf(out.results, "%s\n", protocol::json_text(protocol::written(*info), 2).c_str());
         return 0;
     }
     bool rights_told = importer::kernel_has_landlock();

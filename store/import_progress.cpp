@@ -1,7 +1,7 @@
 #include "store/import_progress.hpp"
 
 #include "core/base/plain_text.hpp"
-#include "protocol/api/base/json_table.hpp"
+#include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
 
 #include <nlohmann/json.hpp>
@@ -15,15 +15,16 @@ namespace wakesurf::protocol {
 
 using store::ImportProgress;
 
-template <>
-inline constexpr auto
-    table_of<ImportProgress> = std::tuple(needed("phase", &ImportProgress::phase),
-                                          needed("done", &ImportProgress::done),
-                                          needed("total", &ImportProgress::total),
-                                          some("file", &ImportProgress::file),
-                                          some("note", &ImportProgress::note),
-                                          some("remaining", &ImportProgress::remaining),
-                                          some("velocities", &ImportProgress::velocities));
+template <class Io>
+void members(Io& io, Of<Io, ImportProgress>& of) {
+    io.needed("phase", of.phase);
+    io.needed("done", of.done);
+    io.needed("total", of.total);
+    io.some("file", of.file);
+    io.some("note", of.note);
+    io.some("remaining", of.remaining);
+    io.some("velocities", of.velocities);
+}
 
 } // namespace wakesurf::protocol
 
@@ -44,12 +45,12 @@ std::string time_left(const ImportProgress& progress) {
 } // namespace
 
 std::string progress_line(const ImportProgress& progress) {
-    return protocol::json_text(protocol::written<json>(progress));
+    return protocol::json_text(protocol::written(progress));
 }
 
 std::optional<ImportProgress> parse_progress_line(std::string_view line) {
     const auto progress =
-        protocol::parse_json(line, {}).and_then(protocol::parse_table<ImportProgress, json>);
+        protocol::parse_json(line, {}).and_then(protocol::parse_kept<ImportProgress>);
     return progress && progress->done <= progress->total ? std::optional(*progress) : std::nullopt;
 }
 

@@ -1,7 +1,6 @@
 #include "store/store_manifest.hpp"
 
 #include "core/base/plain_text.hpp"
-#include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/dataset_json.hpp"
 #include "protocol/api/generated/limits.hpp"
@@ -21,57 +20,123 @@ using store::StoreLayout;
 using store::StoreManifest;
 using store::StoreSource;
 
-template <>
-inline constexpr auto table_of<UniformGrid> = std::tuple(needed("origin", &UniformGrid::origin),
-                                                         needed("spacing", &UniformGrid::spacing),
-                                                         needed("dimensions",
-                                                                &UniformGrid::dimensions));
+template <class Io>
+void members(Io& io, Of<Io, UniformGrid>& of) {
+    io.needed("origin", of.origin);
+    io.needed("spacing", of.spacing);
+    io.needed("dimensions", of.dimensions);
+}
 
-template <>
-inline constexpr auto
-    table_of<core::SymmetryAxis> = std::tuple(needed("origin", &core::SymmetryAxis::origin),
-                                              needed("direction", &core::SymmetryAxis::direction),
-                                              needed("radial", &core::SymmetryAxis::radial));
+template <class Io>
+void members(Io& io, Of<Io, core::SymmetryAxis>& of) {
+    io.needed("origin", of.origin);
+    io.needed("direction", of.direction);
+    io.needed("radial", of.radial);
+}
 
-template <>
-inline constexpr auto table_of<StoredGrid> = std::tuple(needed("kind", &StoredGrid::kind),
-                                                        some("dimensions", &StoredGrid::dimensions),
-                                                        some("points", &StoredGrid::points),
-                                                        some("cells", &StoredGrid::cells),
-                                                        some("axis", &StoredGrid::axis),
-                                                        some("periodic", &StoredGrid::periodic));
+template <class Io>
+void members(Io& io, Of<Io, StoredGrid>& of) {
+    io.needed("kind", of.kind);
+    if (of.kind == core::GridKind::Uniform)
+        members(io, of.uniform);
+    else
+        io.some("dimensions", of.dimensions);
+    io.some("points", of.points);
+    io.some("cells", of.cells);
+    io.some("axis", of.axis);
+    io.some("periodic", of.periodic);
+}
 
-template <>
-inline constexpr auto table_of<StoredScalar> = std::tuple(needed("name", &StoredScalar::name),
-                                                          needed("stem", &StoredScalar::stem));
+template <class Io>
+void members(Io& io, Of<Io, StoredScalar>& of) {
+    io.needed("name", of.name);
+    io.needed("stem", of.stem);
+}
 
-template <>
-inline constexpr auto
-    table_of<StoreLayout> = std::tuple(needed("grid", &StoreLayout::grid),
-                                       needed("times", &StoreLayout::times),
-                                       needed("precision", &StoreLayout::precision),
-                                       needed("scalars", &StoreLayout::scalars),
-                                       needed("mask", &StoreLayout::mask),
-                                       needed("walls", &StoreLayout::walls),
-                                       needed("checksums", &StoreLayout::checksums));
+namespace {
 
-template <>
-inline constexpr auto table_of<SourceFile> = std::tuple(needed("name", &SourceFile::name),
-                                                        needed("size", &SourceFile::size),
-                                                        needed("mtime", &SourceFile::mtime));
+struct Unchecked {
+    bool gaps = false;
+};
 
-template <>
-inline constexpr auto table_of<StoreSource> = std::tuple(needed("files", &StoreSource::files),
-                                                         needed("steps", &StoreSource::steps),
-                                                         needed("selection",
-                                                                &StoreSource::selection));
+struct KeptBricks {
+    std::uint32_t cells = 0;
+    std::optional<Unchecked> unchecked;
+};
 
-template <>
-inline constexpr auto
-    table_of<StoreManifest> = std::tuple(needed("complete", &StoreManifest::complete),
-                                         needed("source", &StoreManifest::source),
-                                         some("withoutVelocity", &StoreManifest::without_velocity),
-                                         needed("velocityRange", &StoreManifest::velocity_range));
+// Returns whether a stem may become part of a file name: nothing that leads out of the folder may pass.
+bool plain(const std::string& stem) {
+    return !stem.empty() && stem.size() <= 64 && stem != store::velocity_stem &&
+           std::all_of(stem.begin(), stem.end(), [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+           });
+}
+
+template <class Io>
+void members(Io& io, Of<Io, Unchecked>& of) {
+    io.needed("gaps", of.gaps);
+}
+
+template <class Io>
+void members(Io& io, Of<Io, KeptBricks>& of) {
+    io.needed("cells", of.cells, {.lo = 1});
+    io.some("unchecked", of.unchecked);
+}
+
+} // namespace
+
+template <class Io>
+void members(Io& io, Of<Io, StoreLayout>& of) {
+    io.needed("grid", of.grid);
+    io.needed("times", of.times);
+    io.needed("precision", of.precision);
+    io.needed("scalars", of.scalars);
+    io.needed("mask", of.mask);
+    io.needed("walls", of.walls);
+    io.needed("checksums", of.checksums);
+    std::optional<KeptBricks> bricks;
+    if (of.brick_cells != 0)
+        bricks = {of.brick_cells,
+                  of.checked ? std::nullopt : std::optional(Unchecked{of.may_have_gaps})};
+    io.some("bricks", bricks);
+    if constexpr (Io::reads)
+        if (bricks) {
+            of.brick_cells = bricks->cells;
+            of.checked = !bricks->unchecked;
+            of.may_have_gaps = bricks->unchecked && bricks->unchecked->gaps;
+        }
+    std::set<std::string> stems;
+    for (const StoredScalar& each : of.scalars)
+        if (!plain(each.stem) || !stems.insert(each.stem).second)
+            io.check("scalars", "must have stems that are plain and differ");
+}
+
+template void members(JsonReader&, StoreLayout&);
+template void members(JsonWriter&, const StoreLayout&);
+
+template <class Io>
+void members(Io& io, Of<Io, SourceFile>& of) {
+    io.needed("name", of.name);
+    io.needed("size", of.size);
+    io.needed("mtime", of.mtime);
+}
+
+template <class Io>
+void members(Io& io, Of<Io, StoreSource>& of) {
+    io.needed("files", of.files);
+    io.needed("steps", of.steps);
+    io.needed("selection", of.selection);
+}
+
+template <class Io>
+void members(Io& io, Of<Io, StoreManifest>& of) {
+    io.needed("complete", of.complete);
+    io.needed("source", of.source);
+    io.needed("info", of.info);
+    members(io, of.layout);
+    io.some("withoutVelocity", of.without_velocity);
+    io.needed("velocityRange", of.velocity_range);
+}
 
 } // namespace wakesurf::protocol
 
@@ -79,65 +144,6 @@ namespace wakesurf::store {
 
 using core::Error;
 using nlohmann::json;
-
-namespace {
-
-// Returns whether a stem may become part of a file name: nothing that leads out of the folder may pass.
-bool plain(const std::string& stem) {
-    return !stem.empty() && stem.size() <= 64 && stem != velocity_stem &&
-           std::all_of(stem.begin(), stem.end(), [](char c) {
-               return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-           });
-}
-
-void parse_bricks(protocol::JsonMembers& manifest, StoreLayout& layout) {
-    if (!manifest.has("bricks"))
-        return;
-    protocol::JsonMembers members(manifest.object("bricks"));
-    layout.brick_cells = members.get<std::uint32_t>("cells");
-    layout.checked = !members.has("unchecked");
-    if (!layout.checked) {
-        protocol::JsonMembers unchecked(members.object("unchecked"));
-        layout.may_have_gaps = unchecked.get<bool>("gaps");
-        if (!unchecked.verdict())
-            members.fault("unchecked", unchecked.verdict().error().message);
-    }
-    if (!members.verdict())
-        manifest.fault("bricks", members.verdict().error().message);
-    else if (layout.brick_cells == 0)
-        manifest.fault("bricks", "must have cells");
-}
-
-} // namespace
-
-json store_layout_json(const StoreLayout& layout) {
-    json out = protocol::written<json>(layout);
-    if (layout.grid.kind == core::GridKind::Uniform)
-        out["grid"].update(protocol::written<json>(layout.grid.uniform));
-    if (layout.brick_cells != 0)
-        out["bricks"] = {{"cells", layout.brick_cells}};
-    if (layout.brick_cells != 0 && !layout.checked)
-        out["bricks"]["unchecked"] = {{"gaps", layout.may_have_gaps}};
-    return out;
-}
-
-core::Result<StoreLayout> parse_store_layout(const json& value) {
-    StoreLayout layout;
-    std::string wrong = protocol::read_back(value, layout);
-    if (wrong.empty() && layout.grid.kind == core::GridKind::Uniform) {
-        layout.grid.dimensions = {}; // those of the object are the uniform grid's
-        wrong = protocol::read_back(value["grid"], layout.grid.uniform);
-    }
-    if (!wrong.empty())
-        return core::fail(core::Error::Code::Corrupt, wrong);
-    protocol::JsonMembers members(value);
-    parse_bricks(members, layout);
-    std::set<std::string> stems;
-    for (const StoredScalar& each : layout.scalars)
-        if (!plain(each.stem) || !stems.insert(each.stem).second)
-            members.fault("scalars", "must have stems that are plain and differ");
-    return members.verdict().map([&] { return std::move(layout); });
-}
 
 namespace {
 
@@ -196,44 +202,38 @@ core::Result<void> check_agreement(const StoreManifest& manifest) {
 }
 
 core::Result<StoreManifest> parse(const json& value) {
-    protocol::JsonMembers members(value);
-    if (members.text("format") != format_name)
+    protocol::JsonReader in(value);
+    std::string format;
+    std::uint64_t version = 0;
+    in.needed("format", format);
+    in.newer("version", version);
+    if (format != format_name)
         return core::fail(Error::Code::Corrupt, "it is not the manifest of a wakesurf store");
-    const auto version = members.get<std::uint64_t>("version");
     if (version != store_format_version && version != brick_format_version)
         return core::fail(Error::Code::Unsupported,
                           "it is of another version than " + std::to_string(store_format_version) +
                               " and " + std::to_string(brick_format_version) +
                               ", which this wakesurf reads",
                           "import the dataset again");
-    auto manifest = protocol::parse_table<StoreManifest>(value);
-    auto info = protocol::parse_dataset_info(members.object("info"));
-    auto layout = parse_store_layout(value);
-    for (const Error* wrong : {manifest ? nullptr : &manifest.error(),
-                               info ? nullptr : &info.error(), layout ? nullptr : &layout.error()})
-        if (wrong != nullptr)
-            return tl::unexpected(*wrong);
-    manifest->info = std::move(*info);
-    manifest->layout = std::move(*layout);
-    make_plain(manifest->info, manifest->layout);
-    if (members.has("bricks") != (version == brick_format_version))
-        members.fault("bricks", "must be there in version 3, and only there");
-    if (auto sound = members.verdict(); !sound)
+    StoreManifest manifest;
+    members(in, manifest);
+    make_plain(manifest.info, manifest.layout);
+    if ((manifest.layout.brick_cells != 0) != (version == brick_format_version))
+        in.check("bricks", "must be there in version 3, and only there");
+    if (auto sound = in.verdict(); !sound)
         return tl::unexpected(sound.error());
-    return check_agreement(*manifest).map([&] {
-        mark_stored(manifest->layout, manifest->info);
-        return std::move(*manifest);
+    return check_agreement(manifest).map([&] {
+        mark_stored(manifest.layout, manifest.info);
+        return std::move(manifest);
     });
 }
 
 } // namespace
 
 std::string store_manifest_text(const StoreManifest& manifest) {
-    json out = protocol::written<json>(manifest);
-    out.update(store_layout_json(manifest.layout));
+    json out = protocol::written(manifest);
     out["format"] = format_name;
     out["version"] = manifest.layout.brick_cells == 0 ? store_format_version : brick_format_version;
-    out["info"] = protocol::dataset_json(manifest.info);
     return protocol::json_text(out, 1);
 }
 

@@ -5,9 +5,8 @@
 #include "core/base/disk.hpp"
 #include "core/base/result.hpp"
 #include "core/dataset/dataset_info.hpp"
+#include "protocol/api/base/json_members.hpp"
 #include "store/store_layout.hpp"
-
-#include <nlohmann/json_fwd.hpp>
 
 #include <array>
 #include <cstdint>
@@ -69,10 +68,13 @@ core::Result<StoreManifest> read_store_manifest(const std::filesystem::path& fol
 /// Returns the layout in a folder.
 StoreLayout store_layout(const StoreManifest& manifest, std::filesystem::path folder);
 
-/// The layout as members of store.json, without its folder, because a store may be moved.
-nlohmann::json store_layout_json(const StoreLayout& layout);
-
-/// Parses them. Error: Corrupt for what is missing, of the wrong type, or would lead out of the folder.
-core::Result<StoreLayout> parse_store_layout(const nlohmann::json& value);
-
 } // namespace wakesurf::store
+
+namespace wakesurf::protocol {
+
+/// The layout as members of store.json, without its folder, because a store may be moved. What would lead out
+/// of the folder is refused.
+template <class Io>
+void members(Io& io, Of<Io, store::StoreLayout>& of);
+
+} // namespace wakesurf::protocol

@@ -29,7 +29,7 @@ constexpr std::string_view stem_begin = "family_"; // no stem of a scalar has a 
 std::string families_text(const std::vector<StoredFamily>& families) {
     json all = json::array();
     for (const StoredFamily& each : families) {
-        json one = protocol::family_json(each.record);
+        json one = protocol::written(each.record);
         one["stem"] = each.stem;
         one["checksums"] = json::array();
         for (const StoredFamily::Sums& sums : each.sums)
@@ -50,36 +50,41 @@ bool family_stem(const std::string& stem) {
 }
 
 core::Result<StoredFamily> parse_one(const json& value) {
-    auto record = protocol::parse_family(value);
-    if (!record)
-        return tl::unexpected(record.error());
-    StoredFamily family{std::move(*record), {}, {}};
-    protocol::JsonMembers members(value);
-    family.stem = members.text("stem");
+    protocol::JsonReader in(value);
+    StoredFamily family;
+    members(in, family.record);
+    in.needed("stem", family.stem);
     if (!family_stem(family.stem))
-        members.fault("stem", "is no beginning of a file name");
-    using Pairs = std::vector<std::array<std::uint32_t, 2>>;
-    for (const auto& [velocity, values] : members.get<Pairs>("checksums"))
+        in.check("stem", "is no beginning of a file name");
+    std::vector<std::array<std::uint32_t, 2>> sums;
+    in.needed("checksums", sums);
+    for (const auto& [velocity, values] : sums)
         family.sums.push_back({velocity, values});
     if (family.sums.size() != family.record.steps.size())
-        members.fault("checksums", "must be two numbers a step");
-    return members.verdict().map([&] { return std::move(family); });
+        in.check("checksums", "must be two numbers a step");
+    return in.verdict().map([&] { return std::move(family); });
 }
 
 core::Result<std::vector<StoredFamily>> parse_families(const json& value) {
-    protocol::JsonMembers members(value);
-    if (members.text("format") != families_format)
-        members.fault("format", "is not that of a wakesurf store's families");
-    if (members.get<std::uint64_t>("version") != families_version)
-        members.fault("version", "is one that this wakesurf does not read");
+    protocol::JsonReader in(value);
+    std::string format;
+    std::uint64_t version = 0;
+    std::vector<json> list;
+    in.needed("format", format);
+    in.needed("version", version);
+    in.needed("families", list);
+    if (format != families_format)
+        in.check("format", "is not that of a wakesurf store's families");
+    if (version != families_version)
+        in.check("version", "is one that this wakesurf does not read");
     std::vector<StoredFamily> families;
-    for (const json& each : members.list("families")) {
+    for (const json& each : list) {
         auto family = parse_one(each);
         if (!family)
             return tl::unexpected(family.error());
         families.push_back(std::move(*family));
     }
-    return members.verdict().map([&] { return std::move(families); });
+    return in.verdict().map([&] { return std::move(families); });
 }
 
 /// Returns the first number that no file of the folder has, listed or not.

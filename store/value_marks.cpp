@@ -50,7 +50,7 @@ ValueMarks::ValueMarks(const StoreLayout& layout, std::vector<std::uint32_t> rec
     : columns_(1 + layout.scalars.size()), records_(std::move(records)) {
     StoreLayout shared = layout;
     shared.times.clear();
-    marks_.push_back(mark_of_text(store_layout_json(shared).dump()));
+    marks_.push_back(mark_of_text(protocol::written(shared).dump()));
     for (std::size_t i = 0; i * columns_ < records_.size(); ++i) {
         std::uint64_t mark = mixed(marks_.back(), std::bit_cast<std::uint64_t>(layout.times[i]));
         for (std::size_t column = 0; column < columns_; ++column)

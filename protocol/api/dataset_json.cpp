@@ -1,154 +1,104 @@
 #include "protocol/api/dataset_json.hpp"
 
-#include "protocol/api/base/json_members.hpp"
-#include "protocol/api/base/json_table.hpp"
-#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/names.hpp"
 
 #include <nlohmann/json.hpp>
 
 namespace wakesurf::protocol {
 
-using core::FamilyCounts;
-using core::FamilyPlane;
-using core::FamilyRecord;
-using core::FamilyStep;
-using nlohmann::json;
-
-template <>
-inline constexpr auto table_of<FamilyCounts> = std::tuple(needed("nodes", &FamilyCounts::nodes),
-                                                          needed("reached", &FamilyCounts::reached),
-                                                          needed("atRest", &FamilyCounts::at_rest),
-                                                          needed("obstacle",
-                                                                 &FamilyCounts::obstacle),
-                                                          needed("lost", &FamilyCounts::lost),
-                                                          needed("outside", &FamilyCounts::outside),
-                                                          needed("range", &FamilyCounts::range));
-
-template <>
-inline constexpr auto table_of<FamilyStep> = std::tuple(needed("index", &FamilyStep::index),
-                                                        needed("time", &FamilyStep::time),
-                                                        those_of(&FamilyStep::counts));
-
-template <>
-inline constexpr auto table_of<FamilyPlane> = std::tuple(needed("point", &FamilyPlane::point),
-                                                         needed("normal", &FamilyPlane::normal));
-
-template <>
-inline constexpr auto table_of<FamilyRecord> = std::tuple(needed("name", &FamilyRecord::name),
-                                                          needed("version", &FamilyRecord::version),
-                                                          needed("steps", &FamilyRecord::steps));
-
-namespace {
-
-core::Rake parse_curve(JsonMembers& members) {
-    core::Rake rake;
-    const auto kind = rake_kind(members.text("rakeKind"));
-    if (!kind)
-        members.fault("rakeKind", "is not a kind of rake this version knows");
-    rake.kind = kind.value_or(core::Rake::Kind::Line);
-    rake.points = members.get<std::vector<core::Vec3>>("points");
-    return rake;
-}
-
-} // namespace
-
-json family_json(const FamilyRecord& family) {
-    const core::FamilyRequest& request = family.request;
-    json out = written<json>(family);
-    out["accuracy"] = name(request.accuracy);
-    out["length"] = request.length;
-    if (const auto* rake = std::get_if<core::Rake>(&request.source)) {
-        out["from"] = "curve";
-        out["rakeKind"] = name(rake->kind);
-        out["points"] = points_json(rake->points);
-        return out;
-    }
-    out["scalar"] = request.scalar;
-    out["from"] = "inflow";
-    if (const auto* plane = std::get_if<FamilyPlane>(&request.source)) {
-        out["from"] = "plane";
-        out.update(written<json>(*plane));
-    }
-    return out;
-}
-
-core::Result<FamilyRecord> parse_family(const json& value) {
-    auto family = parse_table<FamilyRecord>(value);
-    if (!family)
-        return family;
-    JsonMembers members(value);
-    core::FamilyRequest& request = family->request;
-    request.length = members.get<double>("length");
-    const auto accuracy = protocol::accuracy(members.text("accuracy"));
-    if (!accuracy)
-        members.fault("accuracy", "is not one this version knows");
-    request.accuracy = accuracy.value_or(core::Accuracy::Balanced);
-    const std::string from = members.text("from");
-    if (from == "curve") {
-        request.source = parse_curve(members);
-    } else if (from == "plane") {
-        if (const auto wrong = read_back(value, request.source.emplace<FamilyPlane>());
-            !wrong.empty())
-            return core::fail(core::Error::Code::Corrupt, wrong);
-    } else if (from != "inflow") {
-        members.fault("from", "is not a source this version knows");
-    }
-    if (from != "curve")
-        request.scalar = members.text("scalar");
-    if (family->steps.empty())
-        members.fault("steps", "must not be empty");
-    return members.verdict().map([&] { return std::move(*family); });
-}
-
 using core::DatasetInfo;
+using core::FamilyRecord;
 using core::FieldInfo;
-using nlohmann::json;
+
+template <class Io>
+void members(Io& io, Of<Io, core::FamilyStep>& of) {
+    io.needed("index", of.index);
+    io.needed("time", of.time);
+    io.needed("nodes", of.counts.nodes);
+    io.needed("reached", of.counts.reached);
+    io.needed("atRest", of.counts.at_rest);
+    io.needed("obstacle", of.counts.obstacle);
+    io.needed("lost", of.counts.lost);
+    io.needed("outside", of.counts.outside);
+    io.needed("range", of.counts.range);
+}
+
+template <class Io>
+void members(Io& io, Of<Io, FamilyRecord>& of) {
+    io.needed("name", of.name);
+    io.needed("version", of.version);
+    io.needed("steps", of.steps);
+    io.needed("accuracy", of.request.accuracy);
+    io.needed("length", of.request.length);
+    auto& source = of.request.source;
+    constexpr std::array<const char*, 3> words{"inflow", "plane", "curve"};
+    std::string from = words[source.index()];
+    io.needed("from", from,
+              {.hi = 256, .text = Text::Line, .choices = {"inflow", "plane", "curve"}});
+    if constexpr (Io::reads) {
+        if (from == "plane")
+            source.template emplace<core::FamilyPlane>();
+        if (from == "curve")
+            source.template emplace<core::Rake>();
+    }
+    if (auto* plane = std::get_if<core::FamilyPlane>(&source)) {
+        io.needed("point", plane->point);
+        io.needed("normal", plane->normal);
+    }
+    if (auto* rake = std::get_if<core::Rake>(&source)) {
+        io.needed("rakeKind", rake->kind);
+        io.needed("points", rake->points);
+    } else {
+        io.needed("scalar", of.request.scalar);
+    }
+    io.check("steps", of.steps.empty() ? "must not be empty" : "");
+}
+
+template void members(JsonReader&, FamilyRecord&);
+template void members(JsonWriter&, const FamilyRecord&);
 
 template <>
 inline constexpr auto words_of<FieldInfo::Source> = std::to_array<Word<FieldInfo::Source>>(
     {{FieldInfo::Source::Cell, "cell"}, {FieldInfo::Source::Point, "point"}});
 
-template <>
-inline constexpr auto table_of<FieldInfo> = std::tuple(needed("name", &FieldInfo::name),
-                                                       needed("components", &FieldInfo::components),
-                                                       needed("source", &FieldInfo::source),
-                                                       needed("range", &FieldInfo::range),
-                                                       some("unit", &FieldInfo::unit),
-                                                       some("family", &FieldInfo::family),
-                                                       some("stored", &FieldInfo::stored));
-
-template <>
-inline constexpr auto
-    table_of<DatasetInfo> = std::tuple(needed("dataset", &DatasetInfo::dataset),
-                                       needed("name", &DatasetInfo::name),
-                                       needed("reader", &DatasetInfo::reader),
-                                       needed("grid", &DatasetInfo::grid),
-                                       needed("bounds", &DatasetInfo::bounds),
-                                       needed("points", &DatasetInfo::points),
-                                       needed("cells", &DatasetInfo::cells),
-                                       needed("times", &DatasetInfo::times),
-                                       needed("steady", &DatasetInfo::steady),
-                                       needed("fields", &DatasetInfo::fields),
-                                       needed("velocity", &DatasetInfo::velocity),
-                                       needed("why", &DatasetInfo::why),
-                                       needed("obstacle", &DatasetInfo::obstacle),
-                                       needed("bytesPerStep", &DatasetInfo::bytes_per_step),
-                                       newer("finestSpacing", &DatasetInfo::finest_spacing),
-                                       some("periodic", &DatasetInfo::periodic),
-                                       some("note", &DatasetInfo::note),
-                                       some("lengthUnit", &DatasetInfo::length_unit),
-                                       some("timeUnit", &DatasetInfo::time_unit),
-                                       some("precision", &DatasetInfo::precision),
-                                       some("dimensions", &DatasetInfo::dimensions),
-                                       some("spacing", &DatasetInfo::spacing));
-
-json dataset_json(const DatasetInfo& info) {
-    return written<json>(info);
+template <class Io>
+void members(Io& io, Of<Io, FieldInfo>& of) {
+    io.needed("name", of.name);
+    io.needed("components", of.components);
+    io.needed("source", of.source);
+    io.needed("range", of.range);
+    io.some("unit", of.unit);
+    io.some("family", of.family);
+    io.some("stored", of.stored, {}, true);
 }
 
-core::Result<DatasetInfo> parse_dataset_info(const json& value) {
-    return parse_table<DatasetInfo>(value);
+template <class Io>
+void members(Io& io, Of<Io, DatasetInfo>& of) {
+    io.needed("dataset", of.dataset);
+    io.needed("name", of.name);
+    io.needed("reader", of.reader);
+    io.needed("grid", of.grid);
+    io.needed("bounds", of.bounds);
+    io.needed("points", of.points);
+    io.needed("cells", of.cells);
+    io.needed("times", of.times);
+    io.needed("steady", of.steady);
+    io.needed("fields", of.fields);
+    io.needed("velocity", of.velocity);
+    io.needed("why", of.why);
+    io.needed("obstacle", of.obstacle);
+    io.needed("bytesPerStep", of.bytes_per_step);
+    io.newer("finestSpacing", of.finest_spacing);
+    io.some("periodic", of.periodic);
+    io.some("note", of.note);
+    io.some("lengthUnit", of.length_unit);
+    io.some("timeUnit", of.time_unit);
+    io.some("precision", of.precision);
+    io.some("dimensions", of.dimensions);
+    io.some("spacing", of.spacing);
 }
+
+template void members(JsonReader&, DatasetInfo&);
+template void members(JsonWriter&, const DatasetInfo&);
 
 } // namespace wakesurf::protocol

@@ -1,7 +1,5 @@
 #include "protocol/api/messages_presence.hpp"
 
-#include "protocol/api/base/list_json.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include <utility>
@@ -27,11 +25,10 @@ json participant_json(const ParticipantRecord& record, unsigned members) {
     tell(member::colour, "colour", record.colour);
     tell(member::role, "role", record.role);
     tell(member::connected, "connected", record.connected);
-    tell(member::pointer, "pointer", presence.pointer ? point_json(*presence.pointer) : json());
-    tell(member::camera, "camera", presence.camera ? camera_json(*presence.camera) : json());
-    tell(member::dragging, "dragging",
-         presence.dragging ? dragged_rake_json(*presence.dragging) : json());
-    tell(member::selected, "selected", presence.selected ? json(*presence.selected) : json());
+    tell(member::pointer, "pointer", written(presence.pointer));
+    tell(member::camera, "camera", written(presence.camera));
+    tell(member::dragging, "dragging", written(presence.dragging));
+    tell(member::selected, "selected", written(presence.selected));
     return out;
 }
 

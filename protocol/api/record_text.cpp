@@ -1,7 +1,6 @@
 #include "protocol/api/record_text.hpp"
 
 #include "core/surface/rake.hpp"
-#include "protocol/api/base/json_table.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/api/utc_text.hpp"
 
@@ -11,94 +10,91 @@ namespace wakesurf::protocol {
 
 using nlohmann::json;
 
-template <>
-inline constexpr auto table_of<MembershipRecord> = std::tuple(
-    needed("name", &MembershipRecord::name),
-    needed("colour", &MembershipRecord::colour),
-    needed("role", &MembershipRecord::role),
-    needed("grant", &MembershipRecord::grant),
-    needed("sha256", &MembershipRecord::digest),
-    newer("roleSet",
-          &MembershipRecord::role_set), // before, only those were kept whose role was set
-    some("left", &MembershipRecord::left),
-    some("formerSha256", &MembershipRecord::former));
+template <class Io>
+void members(Io& io, Of<Io, MembershipRecord>& of) {
+    io.needed("name", of.name);
+    io.needed("colour", of.colour);
+    io.needed("role", of.role);
+    io.needed("grant", of.grant);
+    io.needed("sha256", of.digest);
+    io.newer("roleSet", of.role_set); // before, only those were kept whose role was set
+    io.some("left", of.left);
+    io.some("formerSha256", of.former);
+}
 
-template <>
-inline constexpr auto table_of<GrantRecord> = std::tuple(needed("role", &GrantRecord::role),
-                                                         needed("sha256", &GrantRecord::digest),
-                                                         some("expires", &GrantRecord::expires),
-                                                         some("maker", &GrantRecord::maker),
-                                                         some("lineage", &GrantRecord::lineage),
-                                                         some("lowered", &GrantRecord::lowered),
-                                                         some("copier", &GrantRecord::copier));
+template <class Io>
+void members(Io& io, Of<Io, GrantRecord>& of) {
+    io.needed("role", of.role);
+    io.needed("sha256", of.digest);
+    io.some("expires", of.expires);
+    io.some("maker", of.maker);
+    io.some("lineage", of.lineage);
+    io.some("lowered", of.lowered);
+    io.some("copier", of.copier);
+}
 
-template <>
-inline constexpr auto
-    table_of<SessionPerson> = std::tuple(needed("participant", &SessionPerson::participant),
-                                         needed("name", &SessionPerson::name),
-                                         needed("colour", &SessionPerson::colour));
+template <class Io>
+void members(Io& io, Of<Io, SessionPerson>& of) {
+    io.needed("participant", of.participant);
+    io.needed("name", of.name);
+    io.needed("colour", of.colour);
+}
 
-template <>
-inline constexpr auto
-    table_of<SessionProfile> = std::tuple(some("created", &SessionProfile::created),
-                                          needed("lastUsed", &SessionProfile::last_used),
-                                          needed("edited", &SessionProfile::edited),
-                                          needed("onPurpose", &SessionProfile::on_purpose),
-                                          needed("people", &SessionProfile::people),
-                                          some("deleted", &SessionProfile::deleted),
-                                          some("data", &SessionProfile::data),
-                                          some("copyOf", &SessionProfile::copy_of),
-                                          some("copyName", &SessionProfile::copy_name));
+template <class Io>
+void members(Io& io, Of<Io, SessionProfile>& of) {
+    constexpr Rule second{.lo = 0, .hi = last_utc_second};
+    io.some("created", of.created, second);
+    io.needed("lastUsed", of.last_used, second);
+    io.needed("edited", of.edited);
+    io.needed("onPurpose", of.on_purpose);
+    io.needed("people", of.people);
+    io.some("deleted", of.deleted, second);
+    io.some("data", of.data);
+    io.some("copyOf", of.copy_of);
+    io.some("copyName", of.copy_name);
+    if (of.people.size() > most_session_people || of.data.size() > most_session_datasets)
+        io.check("people", "are too many, or `data`");
+}
+
+template <class Io>
+void members(Io& io, Of<Io, SessionUnits>& of) {
+    io.needed("length", of.length, {.hi = 256, .text = Text::Line});
+    io.needed("time", of.time, {.hi = 256, .text = Text::Line});
+}
+
+template <class Io>
+void members(Io& io, Of<Io, SessionHead>& of) {
+    io.needed("name", of.name, {.hi = 256, .text = Text::Line});
+    io.needed("seq", of.seq, {.hi = most_whole});
+    io.needed("nextRake", of.next_rake, {.lo = 1, .hi = most_whole});
+    io.needed("nextSurface", of.next_surface, {.lo = 1, .hi = most_whole});
+    io.needed("nextBookmark", of.next_bookmark, {.lo = 1, .hi = most_whole});
+    io.needed("nextAnnotation", of.next_annotation, {.lo = 1, .hi = most_whole});
+    io.some("units", of.units);
+}
 
 namespace {
 
 /// The longest record is a rake of a thousand points; a view may nest as deep as a message.
 constexpr JsonLimits record_limits{std::size_t{256} << 10, 40};
 
-void read(CheckedJson& in, SessionHead& head) {
-    head.name = in.text("name");
-    head.seq = in.count("seq", 0, most_whole);
-    head.next_rake = in.count("nextRake", 1, most_whole);
-    head.next_surface = in.count("nextSurface", 1, most_whole);
-    head.next_bookmark = in.count("nextBookmark", 1, most_whole);
-    head.next_annotation = in.count("nextAnnotation", 1, most_whole);
-    if (in.has("units"))
-        in.inside("units", [&](CheckedJson& units) {
-            head.units.length = units.text("length");
-            head.units.time = units.text("time");
-        });
-}
-
 template <class Record>
 core::Result<Record> parse(std::string_view text) {
-    auto value = parse_json(text, record_limits);
-    if (!value)
-        return tl::unexpected(value.error());
-    CheckedJson in(*value);
-    Record record;
-    read(in, record);
-    if (auto sound = in.record_verdict(); !sound)
-        return tl::unexpected(sound.error());
-    return record;
+    return parse_json(text, record_limits).and_then(parse_kept<Record>);
 }
 
 template <class Record>
 core::Result<Record> parse(std::string_view text, const char* damaged, const char* hint = "") {
-    return parse_json(text, record_limits)
-        .and_then(parse_table<Record, json>)
-        .map_error([&](const core::Error&) {
-            return core::Error{core::Error::Code::Corrupt, damaged, hint};
-        });
+    return parse<Record>(text).map_error([&](const core::Error&) {
+        return core::Error{core::Error::Code::Corrupt, damaged, hint};
+    });
 }
 
 } // namespace
 
 template <class Record>
 std::string record_text(const Record& record) {
-    if constexpr (HasTable<Record>)
-        return json_text(written<json>(record));
-    else
-        return json_text(kept_json(record));
+    return json_text(kept(record));
 }
 
 template std::string record_text(const RakeRecord&);
@@ -106,25 +102,13 @@ template std::string record_text(const SurfaceRecord&);
 template std::string record_text(const BookmarkRecord&);
 template std::string record_text(const AnnotationRecord&);
 template std::string record_text(const ClockRecord&);
+template std::string record_text(const SessionHead&);
 template std::string record_text(const MembershipRecord&);
 template std::string record_text(const GrantRecord&);
 template std::string record_text(const SessionProfile&);
 
-template <>
-std::string record_text(const SessionHead& head) {
-    json out{{"name", head.name},
-             {"seq", head.seq},
-             {"nextRake", head.next_rake},
-             {"nextSurface", head.next_surface},
-             {"nextBookmark", head.next_bookmark},
-             {"nextAnnotation", head.next_annotation}};
-    if (!head.units.empty())
-        out["units"] = units_json(head.units);
-    return json_text(out);
-}
-
 json units_json(const SessionUnits& units) {
-    return {{"length", units.length}, {"time", units.time}};
+    return written(units);
 }
 
 core::Result<RakeRecord> parse_rake(std::string_view text) {
@@ -166,18 +150,8 @@ core::Result<GrantRecord> parse_grant(std::string_view text) {
 }
 
 core::Result<SessionProfile> parse_profile(std::string_view text) {
-    const char* const damaged = "the record of when and by whom a session was used cannot be read";
-    auto profile = parse<SessionProfile>(text, damaged);
-    if (!profile)
-        return profile;
-    const auto is_time = [](std::int64_t second) {
-        return second >= 0 && second <= last_utc_second;
-    };
-    if (!is_time(profile->last_used) || !is_time(profile->created.value_or(0)) ||
-        !is_time(profile->deleted.value_or(0)) || profile->people.size() > most_session_people ||
-        profile->data.size() > most_session_datasets)
-        return core::fail(core::Error::Code::Corrupt, damaged);
-    return profile;
+    return parse<SessionProfile>(
+        text, "the record of when and by whom a session was used cannot be read");
 }
 
 } // namespace wakesurf::protocol

@@ -103,8 +103,6 @@ inline constexpr std::size_t most_session_datasets = 32;
 /// Returns one line of JSON. A lease is not kept.
 template <class Record>
 std::string record_text(const Record& record);
-template <>
-std::string record_text(const SessionHead& head);
 
 nlohmann::json units_json(const SessionUnits& units);
 

@@ -92,7 +92,8 @@ Result<FamilyWish> read_wish(const FamilyOptions& options) {
         return tl::unexpected(request.error());
     wish.request = std::move(*request);
     wish.request.length = options.length;
-    wish.request.accuracy = *protocol::accuracy(options.accuracy); // one of three words
+    wish.request.accuracy =
+        *protocol::value_of<core::Accuracy>(options.accuracy); // one of three words
     return read_times(options.times).map([&](std::vector<double> times) {
         wish.times = std::move(times);
         return std::move(wish);

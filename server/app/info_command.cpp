@@ -165,7 +165,7 @@ void print_family(const core::FamilyRecord& family) {
 }
 
 json described_json(const Described& described) {
-    json out = protocol::dataset_json(described.info);
+    json out = protocol::written(described.info);
     out["surfaceFields"] = carried_fields(described.info);
     if (!described.served.empty()) {
         out["stored"] = described.stored;
@@ -173,13 +173,13 @@ json described_json(const Described& described) {
                          {"why", described.served}};
     }
     for (const core::FamilyRecord& each : described.families)
-        out["families"].push_back(protocol::family_json(each));
+        out["families"].push_back(protocol::written(each));
     return out;
 }
 
 std::string grid_text(const core::DatasetInfo& info) {
     const auto& d = info.dimensions;
-    const auto name = protocol::word_of(info.grid);
+    const auto name = protocol::name(info.grid);
     switch (info.grid) {
     case core::GridKind::Analytic:
         return std::string(name);

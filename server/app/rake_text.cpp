@@ -90,7 +90,7 @@ core::Result<core::Rake> parse_rake(std::string_view text,
             rake.kind = core::Rake::Kind::Polyline;
         return rake;
     }
-    const auto known = protocol::rake_kind(kind);
+    const auto known = protocol::value_of<core::Rake::Kind>(kind);
     if (!known)
         return core::fail(invalid, option + "-kind must be line, polyline, circle or points");
     rake.kind = *known;

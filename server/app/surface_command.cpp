@@ -5,7 +5,6 @@
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/surface.hpp"
 #include "protocol/api/base/json_text.hpp"
-#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/api/generated/surface_options.hpp"
@@ -50,7 +49,7 @@ namespace {
 
 nlohmann::json rake_json(const core::Rake& rake) {
     return {{"kind", protocol::name(rake.kind)},
-            {"points", protocol::points_json(rake.points)},
+            {"points", protocol::written(rake.points)},
             {"seeds", rake.seeds}};
 }
 
@@ -181,7 +180,7 @@ core::Result<void> write(const SurfaceOptions& options,
                        });
     if (!written || options.stats.empty())
         return written;
-    auto statistics = protocol::statistics_json(surface.statistics);
+    auto statistics = protocol::written(surface.statistics);
     statistics["peakBytes"] = core::peak_resident_memory();
     statistics["seconds"]["processor"] = processor_seconds;
     if (cut_short)

@@ -2,7 +2,6 @@
 
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/rake.hpp"
-#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/surface_options.hpp"
@@ -184,7 +183,7 @@ core::Result<nlohmann::json> value_of(const protocol::SurfaceOption& option,
         return *number;
     }
     if (type == "point")
-        return parse_vector(text, option.option).map(protocol::point_json);
+        return parse_vector(text, option.option).map(protocol::written<core::Vec3>);
     return text;
 }
 
@@ -212,15 +211,14 @@ core::Result<nlohmann::json> asked_json(const SurfaceOptions& options) {
 /// Checks the parameters by the description of surface.set.
 core::Result<protocol::SurfaceSetting> read_asked(const SurfaceOptions& options,
                                                   const nlohmann::json& asked) {
-    protocol::CheckedJson in(asked);
-    protocol::SurfaceSetting setting;
-    read(in, setting);
-    if (auto sound = in.verdict(); !sound)
-        return core::fail(sound.error().code, sound.error().message, "see wakesurf surface --help");
+    auto setting = protocol::parse_call<protocol::SurfaceSetting>(asked);
+    if (!setting)
+        return core::fail(setting.error().code, setting.error().message,
+                          "see wakesurf surface --help");
     if (options.rake.empty() &&
-        setting.parameters.kind != core::SurfaceKind::Level) // open ones come from the data later
+        setting->parameters.kind != core::SurfaceKind::Level) // open ones come from the data later
         return setting;
-    if (auto sound = protocol::check_kind(setting); !sound)
+    if (auto sound = protocol::check_kind(*setting); !sound)
         return tl::unexpected(sound.error());
     return setting;
 }

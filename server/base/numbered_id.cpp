@@ -1,6 +1,6 @@
 #include "server/base/numbered_id.hpp"
 
-#include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/base/json_members.hpp"
 
 #include <charconv>
 

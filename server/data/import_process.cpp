@@ -231,9 +231,7 @@ core::Result<core::DatasetInfo> describe_with_import_process(const ImportCommand
     };
     if (auto described = run(command, "--describe", line, stop); !described)
         return tl::unexpected(described.error());
-    return protocol::parse_json(text, limits).and_then([](const nlohmann::json& value) {
-        return protocol::parse_dataset_info(value);
-    });
+    return protocol::parse_json(text, limits).and_then(protocol::parse_kept<core::DatasetInfo>);
 }
 
 core::Result<std::vector<core::Vec3>>

@@ -230,7 +230,7 @@ std::string tag_of(const protocol::SurfaceRecord& record,
                    const std::optional<SurfacePass>& early,
                    std::size_t steps,
                    const std::string& values) {
-    std::string all = protocol::json_text(protocol::record_json(record));
+    std::string all = protocol::json_text(protocol::written(record));
     for (const core::Rake* rake :
          {&job.plan.rake, job.plan.parameters.rake2 ? &*job.plan.parameters.rake2 : nullptr})
         if (rake != nullptr) {

@@ -1,6 +1,6 @@
 #include "server/net/routes.hpp"
 
-#include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "server/base/limits.hpp"
 #include "server/net/http_error.hpp"
@@ -296,13 +296,11 @@ HttpResponse Routes::login(const HttpRequest& request) {
         protocol::parse_json(request.body, {limits::message_bytes, limits::message_depth});
     if (!body)
         return http_error(400, "the body is not JSON", example);
-    constexpr std::size_t longest = 512;
-    protocol::CheckedJson in(*body);
+    protocol::JsonReader in(*body, true);
     Gate::LoginWish wish;
-    if (in.has("token") || !in.has("login"))
-        wish.token = in.text("token", longest);
-    if (in.has("login"))
-        wish.login = in.text("login", longest);
+    in.some("token", wish.token, {.hi = 512, .text = protocol::Text::Line});
+    in.some("login", wish.login, {.hi = 512, .text = protocol::Text::Line});
+    in.check("token", wish.token || wish.login ? "" : "is missing");
     if (const auto verdict = in.verdict(); !verdict)
         return http_error(400, verdict.error().message, example);
     const auto login = gate_.login(request, wish);

@@ -81,8 +81,8 @@ TEST(StoreGrid, KeepsTheAxisOfAWedgeAndRefusesOneThatIsNone) {
     CellMesh mesh = two_cells();
     mesh.axis = core::SymmetryAxis{{0.1, 0.2, 0.3}, {0, 0.6, 0.8}, {1, 0, 0}};
     auto layout = stored(folder, mesh);
-    const auto text = store_layout_json(layout);
-    const auto parsed = parse_store_layout(text);
+    const auto text = protocol::written(layout);
+    const auto parsed = protocol::parse_kept<StoreLayout>(text);
     ASSERT_TRUE(parsed.has_value()) << parsed.error().message;
     layout.grid.axis = parsed->grid.axis;
     EXPECT_EQ(std::get<CellMesh>(read_grid(layout, PosixDisk()).value()).axis, mesh.axis);

@@ -1,14 +1,25 @@
-"""C++ of one noun: structs of records, of parameters and of what is told; readers with every check, and writers."""
+"""C++ of one noun: structs of records, of parameters and of what is told, and lists of their members."""
 import re
 import textwrap
 
-from .cpp_writers import Writers, names_in, quoted
-from .schema import camel, either, snake
+from .schema import camel, snake
 
 MADE = "// Made by protocol/api/generate from {}: do not edit."
-CHECKS = {"^#[0-9a-fA-F]{6}$": ("is_colour", "must be written #rrggbb")}
 KEYWORDS = {"default", "delete", "new", "class", "struct"}
 LONGEST_TEXT = 256
+
+
+def quoted(text):
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"') + '"'
+
+
+def names_in(nodes):
+    """Names of all shapes that these lead to."""
+    found = set()
+    for node in nodes:
+        inner = [each.node for each in node.fields] + node.parts + node.choices + [each for each in (node.items, node.values) if each]
+        found |= {node.name} | names_in(inner)
+    return found
 
 
 def number(value):
@@ -28,9 +39,7 @@ def limit_name(api, name):
 
 # What a header includes where it uses what matches.
 NEEDS = {"family_record": r"core::Family", "rake.hpp": r"core::Rake", "surface_parameters": r"core::(SurfaceParameters|SurfaceKind|Direction|"
-         "Accuracy|Interpolation|Refine)", "surface_statistics": r"core::(SurfaceStatistics|Emptiness)", "value_range": r"core::ValueRange",
-         "<vector>": "std::vector", "<utility>": "std::pair", "json_fwd": "nlohmann", "<cstdint>": "std::uint",
-         "<optional>": "std::optional", "<string>": "std::string[ >]", "<string_view>": "std::string_view"}
+         "Accuracy|Interpolation|Refine)", "surface_statistics": r"core::(SurfaceStatistics|Emptiness)", "value_range": r"core::ValueRange"}
 
 
 def needed(line, used):
@@ -38,12 +47,11 @@ def needed(line, used):
     return all(re.search(pattern, used) for word, pattern in NEEDS.items() if line.startswith("#include") and word in line)
 
 
-class Cpp(Writers):
+class Cpp:
     """Writes the C++ of a description."""
 
     def __init__(self, api):
         self.api = api
-        self.taken = names_in([each.params for each in api.methods])
         self.told = names_in([each.result for each in api.methods] + [params for *_, params in api.notifications])
 
     # Types and names.
@@ -98,6 +106,8 @@ class Cpp(Writers):
             return f" = {start or 0}"
         if kind == "std::string" and start:
             return f" = {quoted(start)}"
+        if node.kind == "enum" and start:
+            return f" = {kind}::{camel(start)}"
         return ""
 
     # Structs.
@@ -105,7 +115,7 @@ class Cpp(Writers):
     def struct(self, shape, name, words, method=""):
         record = bool(shape.get("x-record")) or not method
         in_session = bool(method) and self.in_session(shape)
-        base = " : InSession" if in_session else "" if shape.fields else " : NoParameters"
+        base = " : InSession" if in_session else ""
         lines = [*comment(words), f"struct {name}{base} {{"]
         if method:
             lines += [f"    static constexpr std::string_view method = {quoted(method)};"] + [""] * self.has_own(shape)
@@ -138,159 +148,91 @@ class Cpp(Writers):
         unit = each.node.get("x-unit")
         return each.node.words + (f" ({unit})" if unit else "")
 
-    # Readers.
+    # Members.
 
-    def bound(self, node, word, otherwise):
+    def bound(self, node, word):
+        """The code of a limit, or nothing."""
         if word in node.get("x-named", {}):
             return "limits::" + limit_name(self.api, node["x-named"][word])
         if word in node:
             return number(node[word]) if node.kind == "number" else str(node[word])
-        return otherwise
+        return None
 
-    def reader(self, shape, name, method=""):
-        record = bool(shape.get("x-record")) or not method
-        lines = [f"void read(CheckedJson& in, {name}& out) {{"]
+    def rule(self, each, record):
+        """What a value must be beyond its type, as the code of a Rule; empty: nothing."""
+        node, kind = each.node, each.node.kind
+        least = most = text = None
+        if kind in ("number", "count"):
+            # One that is excluded is compared by itself, in words of its own.
+            least = self.bound(node, "minimum") or ("maximum" in node and self.bound(node, "exclusiveMinimum"))
+            most = self.bound(node, "maximum") or ("most_whole" if kind == "count" else None)
+        elif kind == "point":
+            most = "largest_float"
+        elif kind in ("points", "texts"):
+            most = self.bound(node, "maxItems")
+        elif kind == "json":
+            text, most = "Object", self.bound(node, "x-maxBytes")
+        elif kind == "token":
+            text = "WholeToken" if "integer" in node.types else "Token"
+        elif kind in ("text", "lines") or (kind == "enum" and "x-cpp-type" not in node):
+            text = "Lines" if kind == "lines" else "Colour" if "pattern" in node else "Line"
+            most = self.bound(node, "maxLength") or str(LONGEST_TEXT)
+            may_be_empty = self.has_default(each, record) or node.get("x-emptyIsMissing")
+            least = "1" if node.get("minLength") or ("pattern" in node and not may_be_empty) else None
+        choices = ", ".join(map(quoted, node["enum"])) if text and kind == "enum" else None
+        null = f"; null {node['x-nullable']}" if each.required and isinstance(node.get("x-nullable"), str) else None
+        parts = (("lo", least), ("hi", most), ("above_zero", "exclusiveMinimum" in node and "true"), ("text", text and "Text::" + text),
+                 ("choices", choices and "{" + choices + "}"), ("if_missing", null and quoted(null)))
+        return ", ".join(f".{name} = {code}" for name, code in parts if code)
+
+    def has_default(self, each, record):
+        return "default" in each.node or (record and "x-older" in each.node)
+
+    def use(self, each, record, told):
+        """How a member is read and written."""
+        node = each.node
+        always = node.nullable or (not self.is_optional(each, record) and (each.required or node.get("x-plain")))
+        if told or (record and node.get("x-kept") is False):
+            return "told" if always else "some_told"
+        if each.required and not self.has_default(each, record):
+            return "needed"
+        return "newer" if record and always else "some"
+
+    def place(self, each):
+        """What leads to a member of `of`."""
+        outer, arrow, inner = self.member(each).partition("->")
+        return f"of.{outer} ? std::optional(of.{outer}->{inner}) : std::nullopt" if arrow else "of." + outer
+
+    def members(self, shape, name, method="", told=False):
+        """The list of a struct's members: for calls, for what answers tell, or for both."""
+        record = not method
+        lines = []
         for each in shape.fields:
-            if record and each.node.get("x-kept") is False:
-                continue
-            lines += ["    " + line for line in self.read_member(each, "out." + self.member(each), record)]
-        lines += ["    " + line for line in self.together(shape)]
-        return lines + ["}"]
+            if each.node.get("x-cpp", "") is not None:
+                use = self.use(each, record, told)
+                rule = "" if use.endswith("told") else self.rule(each, record)
+                lines.append(f"    io.{use}({quoted(each.name)}, {self.place(each)}{', {' + rule + '}' if rule else ''});")
+        lines += [f"    io.check({quoted(of)}, {wrong} ? {quoted(words)} : \"\");" for of, wrong, words in self.together(shape)]
+        both = [] if method or told else [f"template void members(JsonReader&, {name}&);", f"template void members(JsonWriter&, const {name}&);", ""]
+        return [self.declared(name, method, told).removesuffix(";") + " {", *lines, "}", "", *both] if lines else []
 
-    def read_member(self, each, to, record):
-        name, node = quoted(each.name), each.node
-        if self.is_nullable(each, record):
-            lines = [f"{to}.given = in.given({name});"]
-            if each.required:
-                means = f"; null {node['x-nullable']}" if isinstance(node.get("x-nullable"), str) else ""
-                lines += [f"if (!{to}.given)", f"    in.fault({name}, {quoted('is missing' + means)});"]
-            return lines + self.read_optional(each, to + ".value")
-        if self.is_optional(each, record):
-            return self.read_optional(each, to)
-        return self.read_plain(each, to, record)
-
-    def range(self, node):
-        # One that is excluded is compared by itself, in words of its own.
-        least = "exclusiveMinimum" if node.get("maximum") is not None else "minimum"
-        lo = self.bound(node, "minimum", self.bound(node, least, "-any_number" if node.kind == "number" else "0"))
-        hi = self.bound(node, "maximum", "any_number" if node.kind == "number" else "most_whole")
-        return f"{lo}, {hi}"
-
-    def cast(self, node, value):
-        kind = node.get("x-cpp-type")
-        return f"static_cast<{kind}>({value})" if kind and kind != "std::uint64_t" else value
-
-    def most(self, node):
-        return self.bound(node, "maxItems", "most_items")
-
-    def longest(self, node):
-        return self.bound(node, "maxLength", str(LONGEST_TEXT))
-
-    def read_optional(self, each, to):
-        name, node, kind = quoted(each.name), each.node, each.node.kind
-        if kind == "number":
-            lines = [f"{to} = in.number_if({name}, {self.range(node)});"]
-            if "exclusiveMinimum" in node:
-                lines += [f"if ({to} && !(*{to} > {number(node['exclusiveMinimum'])}))",
-                          f"    in.fault({name}, \"must be a number greater than {node['exclusiveMinimum']}\");"]
-            return lines
-        if kind == "count":
-            if "x-cpp-type" in node:
-                return [f"if (const auto number = in.count_if({name}, {self.range(node)}))",
-                        f"    {to} = {self.cast(node, '*number')};"]
-            return [f"{to} = in.count_if({name}, {self.range(node)});"]
-        if kind == "point":
-            return [f"{to} = in.point_if({name});"]
-        if kind == "token":
-            return [f"{to} = in.token_if({name}, {'true' if 'integer' in node.types else 'false'});"]
-        if kind == "flag":
-            return [f"if (in.has({name}))", f"    {to} = in.flag_or({name}, false);"]
-        if kind == "object":
-            return [f"if (in.has({name})) {{", f"    {to}.emplace();",
-                    f"    in.inside({name}, [&](CheckedJson& inner) {{ read(inner, *{to}); }});", "}"]
-        lines = [line.replace(f"*{to}.", f"{to}->") for line in self.read_plain(each, to, False, f"*{to}")]
-        if len(lines) == 1 and kind == "text":
-            return [f"{to} = in.{'some_text_if' if node.get('minLength') else 'text_if'}({name}, {self.longest(node)});"]
-        if node.get("x-emptyIsMissing"):
-            lines = (lines[:1] + [f"if ({to}->empty())", f"    {to}.reset();"]
-                     + [line.replace("if (!", f"if ({to} && !") for line in lines[1:]])
-        if len(lines) == 1:
-            return [f"if (in.has({name}))", "    " + lines[0]]
-        return [f"if (in.has({name})) {{", *["    " + line for line in lines], "}"]
-
-    def read_plain(self, each, to, record, value=None):
-        """`to` takes what is read; `value` is where it is found then."""
-        name, node, kind = quoted(each.name), each.node, each.node.kind
-        value = value or to
-        has_default = "default" in node or (record and "x-older" in node)
-        start = node.get("default", node.get("x-older"))
-        if kind == "enum" and "x-cpp-type" in node:
-            text = f"in.text_or({name}, {quoted(start)})" if has_default else f"in.text({name})"
-            return [f"in.word({name}, {text}, {self.parser(node)}, {to}, {quoted(either(node['enum']))});"]
-        if kind == "enum":
-            known = " && ".join(f"{value} != {quoted(word)}" for word in node["enum"])
-            return [f"{to} = in.text({name});", f"if ({known})",
-                    f"    in.fault({name}, {quoted('must be ' + either(node['enum']))});"]
-        if kind == "text":
-            text = (f"in.text_or({name}, {quoted(start)}, {self.longest(node)})" if has_default
-                    else f"in.{'some_text' if node.get('minLength') else 'text'}({name}, {self.longest(node)})")
-            lines = [f"{to} = {text};"]
-            if "pattern" in node:
-                check, wrong = CHECKS[node["pattern"]]
-                unless = f"!{value}.empty() && " if has_default else ""
-                lines += [f"if ({unless}!{check}({value}))", f"    in.fault({name}, {quoted(wrong)});"]
-            return lines
-        if kind == "lines":
-            return [f"{to} = in.lines({name}, {self.longest(node)});"]
-        if kind == "json":
-            return [f"{to} = in.object_text({name}, {self.bound(node, 'x-maxBytes', 'most_items')});"]
-        if kind == "flag":
-            return [f"{to} = in.flag_or({name}, {'true' if start else 'false'});"]
-        if kind == "number":
-            start = self.bound(node, "default", number(start or 0))
-            lines = [f"{to} = in.number_or({name}, {self.range(node)}, {start});" if has_default or not each.required
-                     else f"{to} = in.number({name}, {self.range(node)});"]
-            if "exclusiveMinimum" in node:
-                lines += [f"if (in.has({name}) && !({to} > {number(node['exclusiveMinimum'])}))",
-                          f"    in.fault({name}, \"must be a number greater than {node['exclusiveMinimum']}\");"]
-            return lines
-        if kind == "count":
-            start = self.bound(node, "default", str(start))
-            read = (f"in.count_or({name}, {self.range(node)}, {start})" if has_default else f"in.count({name}, {self.range(node)})")
-            return [f"{to} = {self.cast(node, read)};"]
-        if kind == "point":
-            return [f"{to} = in.point({name});"]
-        if kind == "points":
-            read = f"{to} = in.points({name}, {self.most(node)});"
-            return [read] if each.required or value != to else [f"if (in.has({name}))", "    " + read]
-        if kind == "texts":
-            return [f"{to} = in.texts_or_none({name}, {self.most(node)});"]
-        if kind == "token":
-            return [f"{to} = in.token({name}, {'true' if 'integer' in node.types else 'false'});"]
-        if kind == "object":
-            return [f"in.inside({name}, [&](CheckedJson& inner) {{ read(inner, {to}); }});"]
-        raise ValueError(f"no C++ for {each.name}: {kind}")
-
-    def parser(self, node):
-        return snake(node.name)
+    def declared(self, name, method="", told=False):
+        if told:
+            return f"void members(JsonWriter& io, const {name}& of);"
+        return f"void members(JsonReader& io, {name}& of);" if method else f"template <class Io>\nvoid members(Io& io, Of<Io, {name}>& of);"
 
     def together(self, shape):
-        """Checks of members beside each other."""
-        lines = []
-        members = {each.name: "out." + self.member(each) for each in shape.fields}
+        """Checks of members beside each other: (member, what is wrong, words)."""
+        members = {each.name: "of." + self.member(each) for each in shape.fields}
         if "x-ordered" in shape:
             first, second = shape["x-ordered"]
-            lines += [f"if ({members[first]} && {members[second]} && !(*{members[first]} < *{members[second]}))",
-                      f"    in.fault({quoted(second)}, \"must be later than `{first}`\");"]
+            yield second, f"{members[first]} && {members[second]} && !(*{members[first]} < *{members[second]})", f"must be later than `{first}`"
         if "x-together" in shape:
             first, second = shape["x-together"]
-            lines += [f"if ({members[first]}.has_value() != {members[second]}.has_value())",
-                      f"    in.fault({quoted(second)}, \"goes with `{first}`\");"]
+            yield second, f"{members[first]}.has_value() != {members[second]}.has_value()", f"goes with `{first}`"
         for name, needed in shape.get("x-needs", {}).items():
             there = " && ".join(members[each] for each in needed)
-            words = " and ".join(f"`{each}`" for each in needed)
-            lines += [f"if ({members[name]} && !({there}))", f"    in.fault({quoted(name)}, \"needs {words}\");"]
-        return lines
+            yield name, f"{members[name]} && !({there})", "needs " + " and ".join(f"`{each}`" for each in needed)
 
     # Rules on what goes with what.
 
@@ -350,26 +292,22 @@ class Cpp(Writers):
             found.append((method.params, name, f"Holds the parameters of {method.name}.", method.name))
         return found
 
+    def told_of(self, noun):
+        """(shape, struct) of the engine's structs that answers have."""
+        return [(shape, shape["x-cpp-type"]) for shape in self.api.shapes_of(noun)
+                if shape.kind == "object" and shape.name in self.told and "x-cpp-type" in shape]
+
     def header(self, noun):
         structs = self.structs_of(noun)
         text = [MADE.format(f"{noun}.schema.json"),
-                f"// {self.api.titles[noun][0]}: what methods take" + (", and the record" if any(each[0].get("x-record") for each in structs)
-                                                                     else "") + ". Readers leave what is wrong in `in`.",
+                f"// {self.api.titles[noun][0]}: what methods take" + (", and the record." if any(each[0].get("x-record") for each in structs) else "."),
                 "#pragma once", "",
                 '#include "core/surface/family/family_record.hpp"', '#include "core/surface/rake.hpp"',
                 '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"',
-                '#include "core/surface/value_range.hpp"', '#include "protocol/api/base/checked_json.hpp"', "",
-                "#include <nlohmann/json_fwd.hpp>", "", "#include <cstdint>", "#include <optional>", "#include <string>",
-                "#include <string_view>", "#include <utility>", "#include <vector>", "", "namespace wakesurf::protocol {", ""]
-        body, readers = [], []
+                '#include "core/surface/value_range.hpp"', '#include "protocol/api/base/json_members.hpp"', "", "namespace wakesurf::protocol {", ""]
+        body = []
         for shape, name, words, method in structs:
             body += self.struct(shape, name, words, method) + [""]
-            if shape.get("x-record"):
-                body += [f"void read(CheckedJson& in, {name}& out);", "",
-                         f"nlohmann::json record_json(const {name}& record);", "",
-                         "/// Returns it as it is kept: what read() reads.", f"nlohmann::json kept_json(const {name}& record);", ""]
-            elif self.has_own(shape) and (method or not shape.name or shape.name in self.taken):
-                readers.append(f"void read(CheckedJson& in, {name}& out);")
             if method and self.rules_of(noun) and method == self.rules_of(noun).name:
                 body += ["/// What only some kinds take, and what they must have. Error: InvalidArgument, naming the parameter.",
                          f"core::Result<void> check_kind(const {name}& setting);", "",
@@ -377,46 +315,30 @@ class Cpp(Writers):
                          f"core::Result<void> check_rules(const {name}& setting);", "",
                          "/// The optional numbers that were given, by their names.",
                          "std::vector<std::pair<std::string_view, double>> given_numbers(const core::SurfaceParameters& parameters);", ""]
-        body += [*readers, ""] if readers else []
-        writers = [self.writers(shape)[0].removesuffix(" {") + ";" for shape in self.written_shapes(noun) if not shape.get("x-record")]
-        body += [*writers, ""] if writers else []
+        body += [self.declared(name, method) if shape.fields else f"inline void members(JsonReader&, {name}&) {{}}"
+                 for shape, name, _, method in structs]
+        body += [self.declared(struct, told=True) for _, struct in self.told_of(noun)]
         used = "\n".join(body)
-        if " : InSession" in used or " : NoParameters" in used:
-            text.insert(text.index('#include "protocol/api/base/checked_json.hpp"') + 1, '#include "protocol/api/generated/shared.hpp"')
+        if " : InSession" in used:
+            text.insert(text.index('#include "protocol/api/base/json_members.hpp"') + 1, '#include "protocol/api/generated/shared.hpp"')
         text = [line for line in text if needed(line, used)]
-        if "core::Vec3" in used and "core::Rake" not in used:
-            text.insert(text.index('#include "protocol/api/base/checked_json.hpp"'), '#include "core/base/vec3.hpp"')
-        return "\n".join(text + body + ["} // namespace wakesurf::protocol", ""])
+        return "\n".join(text + body + ["", "} // namespace wakesurf::protocol", ""])
 
     def shared(self):
         shape = self.api.shape("InSession")
         return "\n".join([MADE.format("shared.schema.json"), "// What the parameters of many methods share.", "#pragma once", "",
-                          '#include "protocol/api/base/checked_json.hpp"', "", "#include <optional>", "#include <string>", "",
-                          "namespace wakesurf::protocol {", "", *self.struct(shape, shape.name, shape.words), "",
-                          "inline void read(CheckedJson& in, InSession& out) {",
-                          *["    " + line for line in self.read_member(shape.fields[0], "out.session", False)], "}", "",
-                          "/// Stands for the parameters of a method that takes none.", "struct NoParameters {};", "",
-                          "inline void read(CheckedJson&, NoParameters&) {}", "", "} // namespace wakesurf::protocol", ""])
+                          "#include <optional>", "#include <string>", "", "namespace wakesurf::protocol {", "",
+                          *self.struct(shape, shape.name, shape.words), "", "} // namespace wakesurf::protocol", ""])
 
     def source(self, noun):
-        structs = self.structs_of(noun)
         body = []
-        for shape, name, _, method in structs:
-            if self.has_own(shape) and (method or not shape.name or shape.name in self.taken or shape.get("x-record")):
-                body += self.reader(shape, name, method) + [""]
+        for shape, name, _, method in self.structs_of(noun):
+            body += self.members(shape, name, method)
             if method and self.rules_of(noun) and method == self.rules_of(noun).name:
                 body += self.rules(self.rules_of(noun)) + [""]
-        for shape in self.written_shapes(noun):
-            body += self.writers(shape) + [""]
-        used = "\n".join(body)
-        includes = ['#include "protocol/api/generated/limits.hpp"'] if "limits::" in used else []
-        includes += ['#include "protocol/api/generated/names.hpp"'] if "name(" in used or "in.word(" in used else []
-        includes += ['#include "core/surface/request/surface_values.hpp"'] if "check_rules" in used else []
-        includes += ['#include "protocol/api/base/list_json.hpp"'] if "point_json" in used or "points_json" in used else []
-        text = [MADE.format(f"{noun}.schema.json"), f'#include "protocol/api/generated/{noun}.hpp"', "", *includes, ""]
-        if "fmt::" in used:
-            text += ["#include <fmt/format.h>"]
-        if "nlohmann::json" in used:
-            text += ["#include <nlohmann/json.hpp>", ""]
-        text += ["namespace wakesurf::protocol {", ""]
-        return "\n".join(text + body + ["} // namespace wakesurf::protocol", ""]) if body else ""
+        for shape, struct in self.told_of(noun):
+            body += self.members(shape, struct, told=True)
+        check = ['#include "core/surface/request/surface_values.hpp"'] if "check_rules" in "".join(body) else []
+        return "\n".join([MADE.format(f"{noun}.schema.json"), f'#include "protocol/api/generated/{noun}.hpp"', "", *check,
+                          '#include "protocol/api/generated/limits.hpp"', '#include "protocol/api/generated/names.hpp"', "",
+                          "#include <nlohmann/json.hpp>", "", "namespace wakesurf::protocol {", "", *body, "} // namespace wakesurf::protocol", ""])

@@ -46,34 +46,12 @@ def enums(api):
 def names_header(api):
     lines = [MADE.format("*.schema.json"),
              "// The words users and scripts write for the engine's enumerations: `stream`, `forward`, `balanced` ...", "#pragma once", "",
-             '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"', "",
-             "#include <optional>", "#include <string_view>", "", *NAMESPACE]
-    for shape in enums(api):
-        lines.append(f"std::string_view name({shape['x-cpp-type']} value);")
-    lines += ["", "// Nothing for any other word."]
-    for shape in enums(api):
-        lines.append(f"std::optional<{shape['x-cpp-type']}> {snake(shape.name)}(std::string_view word);")
-    return "\n".join(lines + ["", *END])
-
-
-def names_source(api):
-    lines = [MADE.format("*.schema.json"), '#include "protocol/api/generated/names.hpp"', "", *NAMESPACE, "namespace {", "",
-             "template <class Value>", "struct Word {", "    Value value;", "    std::string_view text;", "};", "",
-             "template <class Value, std::size_t count>", "std::string_view text_of(Value value, const Word<Value> (&words)[count]) {",
-             "    for (const Word<Value>& each : words)", "        if (each.value == value)", "            return each.text;", "    return {};", "}", "",
-             "template <class Value, std::size_t count>",
-             "std::optional<Value> value_of(std::string_view text, const Word<Value> (&words)[count]) {",
-             "    for (const Word<Value>& each : words)", "        if (each.text == text)", "            return each.value;",
-             "    return std::nullopt;", "}", ""]
+             '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"',
+             '#include "protocol/api/base/enum_words.hpp"', "", *NAMESPACE]
     for shape in enums(api):
         kind = shape["x-cpp-type"]
         words = ", ".join(f"{{{kind}::{camel(word)}, {quoted(word)}}}" for word in shape["enum"])
-        lines.append(f"constexpr Word<{kind}> words_of_{snake(shape.name)}[]{{{words}}};")
-    lines += ["", "} // namespace", ""]
-    for shape in enums(api):
-        kind, table = shape["x-cpp-type"], "words_of_" + snake(shape.name)
-        lines += [f"std::string_view name({kind} value) {{", f"    return text_of(value, {table});", "}", "",
-                  f"std::optional<{kind}> {snake(shape.name)}(std::string_view word) {{", f"    return value_of(word, {table});", "}", ""]
+        lines += ["template <>", f"inline constexpr auto words_of<{kind}> = std::to_array<Word<{kind}>>({{{words}}});", ""]
     return "\n".join(lines + END)
 
 
@@ -135,8 +113,8 @@ def option_words(api, each):
 def files(api, cpp):
     """path below generated/ -> text."""
     out = {"limits.hpp": limits_header(api), "errors.hpp": errors_header(api), "errors.cpp": errors_source(api),
-           "names.hpp": names_header(api), "names.cpp": names_source(api), "methods.cpp": methods_source(api),
+           "names.hpp": names_header(api), "methods.cpp": methods_source(api),
            "surface_options.hpp": options_header(api), "shared.hpp": cpp.shared()}
     for noun in NOUNS:
         out[f"{noun}.hpp"], out[f"{noun}.cpp"] = cpp.header(noun), cpp.source(noun)
-    return {name: text for name, text in out.items() if text}
+    return out

@@ -191,7 +191,7 @@ void Client::progress(const SurfaceProgress& progress, Telling& telling) {
             "surface.progress", {{"surface", progress.surface},
                                  {"epoch", progress.epoch},
                                  {"phase", names[static_cast<std::size_t>(progress.phase)]},
-                                 {"seconds", protocol::pass_seconds_json(progress.took)}});
+                                 {"seconds", protocol::written(progress.took)}});
     });
 }
 

@@ -1,7 +1,6 @@
 #include "server/net/methods/dataset_answers.hpp"
 
 #include "protocol/api/base/json_text.hpp"
-#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/dataset_json.hpp"
 #include "server/data/surface_fields.hpp"
 #include "server/net/methods/method.hpp"
@@ -38,7 +37,7 @@ nlohmann::json dataset_entry(const DatasetStatus& status) {
 }
 
 nlohmann::json lattice_json(const protocol::Lattice& lattice) {
-    return {{"origin", protocol::point_json(lattice.origin)},
+    return {{"origin", protocol::written(lattice.origin)},
             {"step", lattice.step},
             {"bits", lattice.bits}};
 }
@@ -48,17 +47,17 @@ namespace {
 /// All of a dataset but its times, which are many.
 std::string words_of(core::DatasetInfo info) {
     info.times.clear();
-    return protocol::json_text(protocol::dataset_json(info));
+    return protocol::json_text(protocol::written(info));
 }
 
 nlohmann::json description_json(const OpenDataset& open) {
-    nlohmann::json out = protocol::dataset_json(open.info);
+    nlohmann::json out = protocol::written(open.info);
     out["lattice"] = lattice_json(open.lattice);
     out["smooth"] = open.flow->has_smooth();
     out["surfaceFields"] = field_names(open);
     if (open.scalars)
         for (const core::FamilyRecord& each : open.scalars->families())
-            out["families"].push_back(protocol::family_json(each));
+            out["families"].push_back(protocol::written(each));
     return out;
 }
 

@@ -1,5 +1,4 @@
 // dataset.list, dataset.describe, dataset.suggest, dataset.open, cache.status, probe.sample.
-#include "protocol/api/base/list_json.hpp"
 #include "protocol/api/generated/dataset.hpp"
 #include "server/data/datasets.hpp"
 #include "server/net/methods/caller.hpp"
@@ -35,8 +34,8 @@ void dataset_describe(const Call& call, const protocol::DatasetDescribe& of, Rep
 }
 
 json suggestion_json(const core::SceneSuggestion& scene) {
-    return {{"rake", protocol::suggested_rake_json(scene.rake)},
-            {"surfaces", protocol::list_json(scene.surfaces, protocol::suggested_surface_json)},
+    return {{"rake", protocol::written(scene.rake)},
+            {"surfaces", protocol::written(scene.surfaces)},
             {"why", scene.why}};
 }
 

@@ -125,7 +125,7 @@ void family_make(const Call& call, const protocol::FamilyMake& of, Reply reply) 
                                     making->progress.reset();
                                     if (!made)
                                         return making->reply.fault(made.error());
-                                    making->reply.result(protocol::family_json(*made));
+                                    making->reply.result(protocol::written(*made));
                                 });
 }
 

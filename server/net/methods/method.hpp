@@ -2,7 +2,7 @@
 // behind it. The code gets parameters that were checked against the description.
 #pragma once
 
-#include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/base/json_members.hpp"
 #include "protocol/api/json_rpc.hpp"
 #include "server/base/identity.hpp"
 #include "server/base/journal.hpp"
@@ -124,12 +124,10 @@ Method described(std::string_view name, Method::Handler handler);
 template <class Parameters>
 Method method(void (*handle)(const Call& call, const Parameters& parameters, Reply reply)) {
     return described(Parameters::method, [handle](const Call& call, Reply reply) {
-        protocol::CheckedJson in(call.parameters);
-        Parameters parameters;
-        read(in, parameters);
-        if (const auto sound = in.verdict(); !sound)
-            return reply.fault(sound.error());
-        handle(call, parameters, std::move(reply));
+        const auto parameters = protocol::parse_call<Parameters>(call.parameters);
+        if (!parameters)
+            return reply.fault(parameters.error());
+        handle(call, *parameters, std::move(reply));
     });
 }
 

@@ -51,7 +51,7 @@ struct RecordHandlers {
                                             const std::optional<std::string>& id,
                                             std::optional<std::uint64_t> if_rev) const {
         const R* const now = id ? session.records().find<R>(*id) : nullptr;
-        return now != nullptr ? stale_revision(if_rev, now->rev, protocol::record_json(*now))
+        return now != nullptr ? stale_revision(if_rev, now->rev, protocol::written(*now))
                               : std::nullopt;
     }
 
@@ -149,7 +149,7 @@ std::optional<protocol::RpcFault> refusal(Session& session,
     if (!force)
         if (auto held = leased(session, rake, author))
             return held;
-    return stale_revision(if_rev, now->rev, protocol::record_json(*now));
+    return stale_revision(if_rev, now->rev, protocol::written(*now));
 }
 
 void rake_set(const Call& call, const protocol::RakeSetting& setting, Reply reply) {
@@ -172,7 +172,7 @@ void rake_set(const Call& call, const protocol::RakeSetting& setting, Reply repl
                   {"rev", change->record.rev},
                   {"seq", (*session)->seq()},
                   {"clipped", change->record.clipped},
-                  {"points", protocol::points_json(change->record.shape.points)},
+                  {"points", protocol::written(change->record.shape.points)},
                   {"surfaces", surfaces}});
 }
 

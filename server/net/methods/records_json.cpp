@@ -24,14 +24,14 @@ nlohmann::json error_json(const core::Error& error) {
 
 nlohmann::json ranges_json(const ValueRanges& ranges) {
     return protocol::list_json(ranges, [](const AnnouncedRange& each) {
-        nlohmann::json range = protocol::value_range_json(each.range);
+        nlohmann::json range = protocol::written(each.range);
         range["attribute"] = each.attribute;
         return range;
     });
 }
 
 nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
-    nlohmann::json out = protocol::statistics_json(outcome.statistics);
+    nlohmann::json out = protocol::written(outcome.statistics);
     out["peakBytes"] = core::peak_resident_memory();
     out["surface"] = outcome.surface;
     out["epoch"] = outcome.epoch;
@@ -40,7 +40,7 @@ nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
     out["coarsened"] = outcome.complete && outcome.statistics.coarsened();
     out["stateSum"] = outcome.state_sum;
     if (outcome.took)
-        out["pass"] = protocol::pass_seconds_json(*outcome.took);
+        out["pass"] = protocol::written(*outcome.took);
     if (outcome.error)
         out["error"] = error_json(*outcome.error);
     return out;
@@ -57,11 +57,11 @@ json put_json(std::string_view type, const std::string& id, json record) {
 template <class R>
 json patch_json(const R& record) {
     const RecordKey key = key_of(record);
-    return put_json(name(key.type), key.id, protocol::record_json(record));
+    return put_json(name(key.type), key.id, protocol::written(record));
 }
 
 json patch_json(const protocol::ClockRecord& record) {
-    return put_json("clock", "clock", protocol::record_json(record));
+    return put_json("clock", "clock", protocol::written(record));
 }
 
 json patch_json(const SessionName& session) {
@@ -91,7 +91,7 @@ json records_json(const Session& session) {
                 {"surfaces", all_json<protocol::SurfaceRecord>(session)},
                 {"bookmarks", all_json<protocol::BookmarkRecord>(session)},
                 {"annotations", all_json<protocol::AnnotationRecord>(session)},
-                {"clock", protocol::record_json(session.clock().record())}});
+                {"clock", protocol::written(session.clock().record())}});
     constexpr std::size_t told = 50;
     if (!session.kept_aside().empty())
         out["keptAside"] = {

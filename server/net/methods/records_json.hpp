@@ -26,7 +26,7 @@ nlohmann::json error_json(const core::Error& error);
 template <class R>
 auto all_json(const Session& session) {
     return protocol::list_json(session.records().all<R>() | std::views::values,
-                               [](const R& record) { return protocol::record_json(record); });
+                               [](const R& record) { return protocol::written(record); });
 }
 
 /// Returns what a session is called, and its units where it has some.

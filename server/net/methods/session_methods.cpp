@@ -236,7 +236,7 @@ void session_join(const Call& call, const protocol::SessionJoin& asked, Reply re
     const std::string given = asked.session.value_or("");
     Arrival arrival;
     arrival.name = asked.name;
-    arrival.colour = asked.colour.value_or("");
+    arrival.colour = asked.colour;
     arrival.resume_token = asked.resume_token.value_or("");
     const std::string& own = call.identity.session;
     const auto session = call.context.sessions.find(!given.empty() ? given

@@ -11,7 +11,7 @@ namespace wakesurf::server {
 namespace {
 
 void answer(Session& session, Reply& reply) {
-    reply.result({{"clock", protocol::record_json(session.clock().record())}});
+    reply.result({{"clock", protocol::written(session.clock().record())}});
 }
 
 void time_set(const Call& call, const protocol::TimeSet& to, Reply reply) {

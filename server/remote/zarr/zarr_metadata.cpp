@@ -181,8 +181,6 @@ using nlohmann::json;
 
 namespace {
 
-using Counts = std::vector<std::uint64_t>;
-
 constexpr protocol::JsonLimits limits{std::size_t{64} << 20, 32};
 constexpr std::size_t most_axes = 8;
 constexpr std::uint64_t most_numbers = std::uint64_t{1} << 60; // of an array
@@ -252,7 +250,7 @@ std::string name_and_configuration(const json& value, json& configuration) {
     return name->get<std::string>();
 }
 
-Result<void> read_codecs(ZarrArray& array, const json& list) {
+Result<void> read_codecs(ZarrArray& array, const std::vector<json>& list) {
     bool numbers = false;
     for (const json& each : list) {
         json configuration;
@@ -315,13 +313,18 @@ Result<json> parse_zarr_json(std::string_view text) {
 }
 
 Result<ZarrArray> parse_zarr_2(std::string name, const json& array, const json& attributes) {
-    protocol::JsonMembers members(array);
+    protocol::JsonReader in(array);
     ZarrArray out;
     out.name = std::move(name);
-    out.shape = members.get<Counts>("shape");
-    out.chunks = members.get<Counts>("chunks");
-    const std::string order = members.text("order");
-    if (const auto sound = members.verdict(); !sound)
+    std::string order;
+    json filters, compressor, separator;
+    in.needed("shape", out.shape);
+    in.needed("chunks", out.chunks);
+    in.needed("order", order);
+    in.newer("filters", filters);
+    in.newer("compressor", compressor);
+    in.newer("dimension_separator", separator);
+    if (const auto sound = in.verdict(); !sound)
         return tl::unexpected(sound.error());
     const json type = array.value("dtype", json());
     if (!type.is_string() || !read_zarr_type(out, type.get<std::string>()))
@@ -330,18 +333,17 @@ Result<ZarrArray> parse_zarr_2(std::string name, const json& array, const json& 
     if (order != "C")
         return unsupported("its numbers lie in Fortran's order, with the fastest axis first",
                            "write it in C order");
-    if (members.has("filters") && !array["filters"].empty())
+    if (!filters.empty())
         return unsupported("it has filters, which are not read", "write it without filters");
-    if (members.has("compressor")) {
-        const json& compressor = members.object("compressor");
-        const json id = compressor.value("id", json());
+    if (!compressor.is_null()) {
+        const json id = compressor.is_object() ? compressor.value("id", json()) : json();
         const auto found =
             coder(id.is_string() ? id.get<std::string>() : "something without a name");
         if (!found)
             return tl::unexpected(found.error());
         out.coders = {*found};
     }
-    if (members.has("dimension_separator") && !read_separator(out, array["dimension_separator"]))
+    if (!separator.is_null() && !read_separator(out, separator))
         return fail(Error::Code::Corrupt, "its dimension_separator is neither . nor /");
     const auto fill = read_zarr_fill(out, array.value("fill_value", json()));
     if (!fill)
@@ -352,19 +354,23 @@ Result<ZarrArray> parse_zarr_2(std::string name, const json& array, const json& 
 }
 
 Result<ZarrArray> parse_zarr_3(std::string name, const json& array) {
-    protocol::JsonMembers members(array);
+    protocol::JsonReader in(array);
     ZarrArray out;
     out.name = std::move(name);
-    out.shape = members.get<Counts>("shape");
-    const json type = array.is_object() ? array.value("data_type", json()) : json();
-    json grid;
-    const bool regular = name_and_configuration(members.object("chunk_grid"), grid) == "regular";
-    protocol::JsonMembers chunks(grid);
-    out.chunks = regular ? chunks.get<Counts>("chunk_shape") : out.shape;
-    json key;
-    const std::string encoding = name_and_configuration(members.object("chunk_key_encoding"), key);
-    const json& codecs = members.list("codecs");
-    for (const auto& sound : {members.verdict(), chunks.verdict()})
+    json type, chunk_grid, key_encoding, grid, key;
+    std::vector<json> codecs;
+    in.needed("shape", out.shape);
+    in.newer("data_type", type);
+    in.needed("chunk_grid", chunk_grid);
+    in.needed("chunk_key_encoding", key_encoding);
+    in.needed("codecs", codecs);
+    const bool regular = name_and_configuration(chunk_grid, grid) == "regular";
+    const std::string encoding = name_and_configuration(key_encoding, key);
+    out.chunks = out.shape;
+    protocol::JsonReader chunks(grid);
+    if (regular)
+        chunks.needed("chunk_shape", out.chunks);
+    for (const auto& sound : {in.verdict(), chunks.verdict()})
         if (!sound)
             return tl::unexpected(sound.error());
     if (!type.is_string() || !read_zarr_type_name(out, type.get<std::string>()))
@@ -385,8 +391,8 @@ Result<ZarrArray> parse_zarr_3(std::string name, const json& array) {
     if (!fill)
         return tl::unexpected(fill.error());
     out.fill = *fill;
-    if (members.has("dimension_names") && array["dimension_names"].is_array())
-        for (const json& each : array["dimension_names"])
+    if (const json names = array.value("dimension_names", json()); names.is_array())
+        for (const json& each : names)
             out.dimensions.push_back(each.is_string() ? each.get<std::string>() : "");
     read_zarr_attributes(out, array.value("attributes", json()));
     return check_sizes(out).map([&] { return std::move(out); });

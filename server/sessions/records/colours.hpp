@@ -2,7 +2,7 @@
 // apart ("Color Universal Design", 2008), without black, which is not assigned.
 #pragma once
 
-#include "protocol/api/base/checked_json.hpp"
+#include "protocol/api/base/json_members.hpp"
 
 #include <algorithm>
 #include <array>

@@ -25,20 +25,12 @@ bool finite(const core::Vec3& point) {
     return std::isfinite(point.x) && std::isfinite(point.y) && std::isfinite(point.z);
 }
 
-template <class Parameters>
-std::optional<Parameters> read_as(const nlohmann::json& object) {
-    protocol::CheckedJson in(object);
-    Parameters value;
-    read(in, value);
-    return in.verdict() ? std::optional(std::move(value)) : std::nullopt;
-}
-
 void run(Input input) {
     const auto object = protocol::parse_json(text_of(input), {});
     if (!object || !object->is_object())
         return;
     namespace limits = protocol::limits;
-    if (const auto rake = read_as<protocol::RakeSetting>(*object)) {
+    if (const auto rake = protocol::parse_call<protocol::RakeSetting>(*object)) {
         demand(std::all_of(rake->shape.points.begin(), rake->shape.points.end(), finite),
                "the points of a rake are finite");
         demand(rake->shape.points.size() <= limits::rake_points &&
@@ -46,19 +38,19 @@ void run(Input input) {
                    rake->shape.seeds <= limits::seeds_most,
                "a rake is within its limits");
     }
-    if (const auto surface = read_as<protocol::SurfaceSetting>(*object))
+    if (const auto surface = protocol::parse_call<protocol::SurfaceSetting>(*object))
         demand(std::isfinite(surface->parameters.separation) &&
                    std::isfinite(surface->from.value_or(0.0)) &&
                    std::isfinite(surface->parameters.to),
                "the numbers of a surface are finite");
-    read_as<protocol::BookmarkSetting>(*object);
-    read_as<protocol::AnnotationSetting>(*object);
-    read_as<protocol::PlaySetting>(*object);
-    read_as<protocol::TimeSet>(*object);
-    read_as<protocol::PresenceUpdate>(*object);
-    read_as<protocol::SurfaceSubscribe>(*object);
-    read_as<protocol::SessionJoin>(*object);
-    read_as<protocol::DatasetOpen>(*object);
+    protocol::parse_call<protocol::BookmarkSetting>(*object);
+    protocol::parse_call<protocol::AnnotationSetting>(*object);
+    protocol::parse_call<protocol::PlaySetting>(*object);
+    protocol::parse_call<protocol::TimeSet>(*object);
+    protocol::parse_call<protocol::PresenceUpdate>(*object);
+    protocol::parse_call<protocol::SurfaceSubscribe>(*object);
+    protocol::parse_call<protocol::SessionJoin>(*object);
+    protocol::parse_call<protocol::DatasetOpen>(*object);
 }
 
 std::vector<std::string> seeds() {

@@ -36,7 +36,7 @@ core::DatasetInfo sample_info() {
 }
 
 TEST(DatasetJson, HasTheMembersOfTheContract) {
-    const json value = dataset_json(sample_info());
+    const json value = written(sample_info());
     for (const char* name :
          {"dataset", "name", "reader", "grid", "bounds", "points", "cells", "times", "steady",
           "fields", "velocity", "why", "obstacle", "bytesPerStep"})
@@ -55,11 +55,11 @@ TEST(DatasetJson, ReadsBackWhatItWrites) {
     for (const auto kind : {core::GridKind::Uniform, core::GridKind::Analytic}) {
         auto info = sample_info();
         info.grid = kind;
-        const json value = dataset_json(info);
+        const json value = written(info);
         const json through_text = parse_json(json_text(value), {}).value();
-        const auto back = parse_dataset_info(through_text);
+        const auto back = parse_kept<core::DatasetInfo>(through_text);
         ASSERT_TRUE(back.has_value()) << back.error().message;
-        EXPECT_EQ(dataset_json(*back), value);
+        EXPECT_EQ(written(*back), value);
         EXPECT_EQ(back->times, info.times);
         EXPECT_EQ(back->length_unit, "m");
         EXPECT_EQ(back->time_unit, "s");
@@ -69,39 +69,39 @@ TEST(DatasetJson, ReadsBackWhatItWrites) {
 TEST(DatasetJson, SaysThatARangeIsNotKnown) {
     auto info = sample_info();
     info.fields[0].range.fill(std::numeric_limits<double>::quiet_NaN());
-    const json told = parse_json(json_text(dataset_json(info)), {}).value();
+    const json told = parse_json(json_text(written(info)), {}).value();
     EXPECT_EQ(told["fields"][0]["range"], json({nullptr, nullptr}));
-    const auto back = parse_dataset_info(told);
+    const auto back = parse_kept<core::DatasetInfo>(told);
     ASSERT_TRUE(back) << back.error().message;
     EXPECT_TRUE(std::isnan(back->fields[0].range[0]) && std::isnan(back->fields[0].range[1]));
     json half = told;
     half["fields"][0]["range"] = {0.5, nullptr};
-    EXPECT_FALSE(parse_dataset_info(half));
+    EXPECT_FALSE(parse_kept<core::DatasetInfo>(half));
 }
 
 TEST(DatasetJson, NamesTheMemberThatIsMissingOrWrong) {
-    const json good = dataset_json(sample_info());
+    const json good = written(sample_info());
     for (const auto& [name, value] : good.items()) {
         if (name == "dimensions" || name == "spacing" || name == "finestSpacing" ||
             name == "lengthUnit" || name == "timeUnit")
             continue;
         json missing = good;
         missing.erase(name);
-        const auto error = parse_dataset_info(missing);
+        const auto error = parse_kept<core::DatasetInfo>(missing);
         ASSERT_FALSE(error.has_value()) << name;
         EXPECT_NE(error.error().message.find("`" + name + "`"), std::string::npos)
             << error.error().message;
         json wrong = good;
         wrong[name] = json::object({{"surprise", 1}});
-        EXPECT_FALSE(parse_dataset_info(wrong).has_value()) << name;
+        EXPECT_FALSE(parse_kept<core::DatasetInfo>(wrong).has_value()) << name;
     }
 }
 
 TEST(DatasetJson, RefusesNumbersThatDoNotFit) {
     const auto refused = [](const char* name, const json& value) {
-        json info = dataset_json(sample_info());
+        json info = written(sample_info());
         info[name] = value;
-        return !parse_dataset_info(info).has_value();
+        return !parse_kept<core::DatasetInfo>(info).has_value();
     };
     EXPECT_TRUE(refused("points", -1));
     EXPECT_TRUE(refused("points", 1.5));
@@ -111,7 +111,7 @@ TEST(DatasetJson, RefusesNumbersThatDoNotFit) {
     EXPECT_TRUE(refused("dimensions", {-1, 1, 1}));
     EXPECT_TRUE(refused("times", {1, nullptr}));
     EXPECT_TRUE(refused("grid", "hexagonal"));
-    EXPECT_FALSE(parse_dataset_info(json(3)).has_value());
+    EXPECT_FALSE(parse_kept<core::DatasetInfo>(json(3)).has_value());
 }
 
 } // namespace

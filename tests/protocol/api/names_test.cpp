@@ -4,25 +4,26 @@
 
 namespace wakesurf::protocol::names_test {
 
+using core::Accuracy, core::Direction, core::Interpolation, core::SurfaceKind;
+
 TEST(Names, ReadBackToTheValueTheyName) {
-    using core::Accuracy, core::Direction, core::Interpolation, core::SurfaceKind;
     for (const auto kind :
          {SurfaceKind::Stream, SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time})
-        EXPECT_EQ(surface_kind(name(kind)), kind) << name(kind);
+        EXPECT_EQ(value_of<SurfaceKind>(name(kind)), kind) << name(kind);
     for (const auto each : {Direction::Forward, Direction::Backward, Direction::Both})
-        EXPECT_EQ(direction(name(each)), each) << name(each);
+        EXPECT_EQ(value_of<Direction>(name(each)), each) << name(each);
     for (const auto each : {Accuracy::Fast, Accuracy::Balanced, Accuracy::Exact})
-        EXPECT_EQ(accuracy(name(each)), each) << name(each);
+        EXPECT_EQ(value_of<Accuracy>(name(each)), each) << name(each);
     for (const auto each : {Interpolation::Linear, Interpolation::Smooth})
-        EXPECT_EQ(interpolation(name(each)), each) << name(each);
+        EXPECT_EQ(value_of<Interpolation>(name(each)), each) << name(each);
 }
 
 TEST(Names, AreNothingElse) {
     for (const auto* word : {"", "Stream", "stream ", "iso", "forwards", "good"}) {
-        EXPECT_FALSE(surface_kind(word)) << word;
-        EXPECT_FALSE(direction(word)) << word;
-        EXPECT_FALSE(accuracy(word)) << word;
-        EXPECT_FALSE(interpolation(word)) << word;
+        EXPECT_FALSE(value_of<SurfaceKind>(word)) << word;
+        EXPECT_FALSE(value_of<Direction>(word)) << word;
+        EXPECT_FALSE(value_of<Accuracy>(word)) << word;
+        EXPECT_FALSE(value_of<Interpolation>(word)) << word;
     }
 }
 

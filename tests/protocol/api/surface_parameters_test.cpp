@@ -1,4 +1,5 @@
 #include "protocol/api/generated/surface.hpp"
+#include "protocol/api/openrpc.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -16,27 +17,21 @@ json asked(const char* kind, const json& more = json::object()) {
 }
 
 SurfaceSetting read(const json& parameters) {
-    CheckedJson in(parameters);
-    SurfaceSetting setting;
-    read(in, setting);
-    const auto verdict = in.verdict();
-    EXPECT_TRUE(verdict) << verdict.error().message;
-    return setting;
+    const auto setting = parse_call<SurfaceSetting>(parameters);
+    EXPECT_TRUE(setting) << setting.error().message;
+    return setting.value();
 }
 
 std::string fault(const json& parameters) {
-    CheckedJson in(parameters);
-    SurfaceSetting setting;
-    read(in, setting);
-    const auto verdict = in.verdict();
-    return verdict ? "" : verdict.error().message;
+    const auto setting = parse_call<SurfaceSetting>(parameters);
+    return setting ? "" : setting.error().message;
 }
 
 json echo(const json& parameters) {
     auto setting = read(parameters);
     setting.parameters.from = setting.from.value_or(0.0);
-    return record_json(SurfaceRecord{"s1", 1, 1, setting.rake, setting.rake2, setting.dataset,
-                                     setting.parameters, setting.fields});
+    return written(SurfaceRecord{"s1", 1, 1, setting.rake, setting.rake2, setting.dataset,
+                                 setting.parameters, setting.fields});
 }
 
 } // namespace
@@ -63,12 +58,20 @@ TEST(SurfaceParameters, TakesNullAndNothingForTheDefaults) {
     EXPECT_EQ(plain.parameters.angle, core::SurfaceParameters{}.angle);
 }
 
-TEST(SurfaceParameters, HaveTheDefaultsThatTheEngineHas) {
-    auto left_out = read(asked("stream")).parameters;
-    core::SurfaceParameters engine;
-    engine.from = left_out.from = 0.0;
-    engine.to = left_out.to;
-    EXPECT_EQ(left_out, engine);
+TEST(SurfaceParameters, HaveTheDefaultsThatAreDescribed) {
+    const json left_out = echo(asked("stream"));
+    std::size_t compared = 0;
+    const json document = json::parse(openrpc_document(""));
+    for (const json& method : document["methods"])
+        for (const json& each : method["params"]) {
+            const std::string name = each["name"];
+            if (method["name"] != "surface.set" || !each["schema"].contains("default") ||
+                name == "default")
+                continue;
+            EXPECT_EQ(left_out.at(name), each["schema"]["default"]) << name;
+            ++compared;
+        }
+    EXPECT_EQ(compared, 8u);
 }
 
 TEST(SurfaceParameters, TheRecordSaysAllThatWasAskedForAndNothingElse) {
