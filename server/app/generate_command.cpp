@@ -2,6 +2,7 @@
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/stop_tokens.hpp"
+#include "server/base/split.hpp"
 #include "store/command/source_options.hpp"
 #include "store/store_generation.hpp"
 #include "store/store_grid.hpp"
@@ -33,17 +34,6 @@ std::optional<Number> number_of(std::string_view text) {
     if (fault != std::errc{} || end != text.data() + text.size())
         return std::nullopt;
     return value;
-}
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const auto at = text.find(separator);
-        parts.push_back(text.substr(0, at));
-        if (at == std::string_view::npos)
-            return parts;
-        text.remove_prefix(at + 1);
-    }
 }
 
 core::Result<core::UniformGrid> grid_over(const core::Box& box, const std::string& text) {

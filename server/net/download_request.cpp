@@ -15,6 +15,9 @@
 
 namespace wakesurf::server {
 
+using core::Error;
+using core::fail;
+
 namespace {
 
 std::optional<std::string> decoded(std::string_view text) {
@@ -49,15 +52,11 @@ core::Result<std::map<std::string, std::string>> url_query(std::string_view text
         const auto value =
             equals == std::string_view::npos ? std::nullopt : decoded(part.substr(equals + 1));
         if (!name || !value || !out.emplace(*name, *value).second)
-            return core::fail(core::Error::Code::InvalidArgument,
-                              "the address has a query that cannot be read",
-                              "write ?name=value&name=value, each name once");
+            return fail(Error::Code::InvalidArgument, "the address has a query that cannot be read",
+                        "write ?name=value&name=value, each name once");
     }
     return out;
 }
-
-using core::Error;
-using core::fail;
 
 namespace {
 

@@ -14,11 +14,11 @@
 #include "protocol/wire/bytes.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
 #include "server/base/limits.hpp"
+#include "server/base/split.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/surface_scalars.hpp"
 #include "server/live/surface_build.hpp"
 #include "server/net/download_request.hpp"
-#include "server/net/http_error.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,20 +32,6 @@
 #include <vector>
 
 namespace wakesurf::server {
-
-/// Returns the time at which the data have the flow for a request at `time`: the same, or the one time of a
-/// steady flow. Error: OutOfTime.
-core::Result<double> time_in_data(const LoadedDataset& dataset, double time);
-
-/// Returns the frames of one KEY, each preceded by its length. protocol/wire/README.md, Obstacle file. Error:
-/// NotFound without an obstacle, OverLimit, and as sampling and encoding.
-/// @param time   as time_in_data returns it; empty: without the flow
-/// @param share  is grown to the memory needed
-core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
-                                          std::optional<double> time,
-                                          const core::MemoryAccount& account,
-                                          core::MemoryAccount::Share& share,
-                                          const std::stop_token& stop);
 
 using core::Error;
 using core::fail;
@@ -73,8 +59,8 @@ constexpr std::size_t obstacle_bytes = 400;
 /// The additional memory for velocity, speed, s and t, as numbers and as codes, in bytes a vertex.
 constexpr std::size_t flow_bytes = core::wall_velocity_bytes + 100;
 
-} // namespace
-
+/// Returns the time at which the data have the flow for a request at `time`: the same, or the one time of a
+/// steady flow. Error: OutOfTime.
 core::Result<double> time_in_data(const LoadedDataset& dataset, double time) {
     if (dataset.info.steady)
         return dataset.info.times.empty() ? time : dataset.info.times.front();
@@ -89,6 +75,10 @@ core::Result<double> time_in_data(const LoadedDataset& dataset, double time) {
     return std::clamp(time, first, last);
 }
 
+/// Returns the frames of one KEY, each preceded by its length. protocol/wire/README.md, Obstacle file. Error:
+/// NotFound without an obstacle, OverLimit, and as sampling and encoding.
+/// @param time   as time_in_data returns it; empty: without the flow
+/// @param share  is grown to the memory needed
 core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
                                           std::optional<double> time,
                                           const core::MemoryAccount& account,
@@ -123,21 +113,6 @@ core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
         out.append(reinterpret_cast<const char*>(frame->data()), frame->size());
     }
     return out;
-}
-
-using core::Error;
-using core::fail;
-
-namespace {
-
-std::vector<std::string> split(std::string_view path) {
-    std::vector<std::string> parts;
-    while (!path.empty()) {
-        const auto slash = std::min(path.find('/'), path.size());
-        parts.emplace_back(path.substr(0, slash));
-        path.remove_prefix(std::min(slash + 1, path.size()));
-    }
-    return parts;
 }
 
 /// Returns the key for taking turns in the pool: one file of each link and session at a time, beside the
@@ -251,11 +226,6 @@ std::string tag_of(const protocol::SurfaceRecord& record,
                        request.glb == protocol::GlbCoding::Plain ? "-plain" : "");
 }
 
-/// Says whether an If-None-Match names this tag; weak ones count (RFC 9110, 13.1.2).
-bool names(std::string_view if_none_match, std::string_view tag) {
-    return if_none_match == "*" || if_none_match.find(tag) != std::string_view::npos;
-}
-
 /// @param name  without its extension
 HttpResponse file_response(const std::string& name,
                            protocol::MeshFormat format,
@@ -283,13 +253,14 @@ Downloads::Downloads(Loop& loop,
 bool Downloads::handle(const HttpRequest& request,
                        const Identity& identity,
                        const Respond& respond) {
-    const auto parts = split(request.path);
-    if (parts.size() < 6 || !parts[0].empty() || parts[1] != "api" || parts[2] != "v1")
-        return false;
-    if (parts.size() == 6 && parts[3] == "datasets" && parts[5] == "obstacle.bin")
-        obstacle(request, identity, parts[4], respond);
-    else if (parts.size() == 8 && parts[3] == "sessions" && parts[5] == "surfaces")
-        surface(request, identity, {parts[4], parts[6], parts[7]}, respond);
+    const auto parts = split(request.path, '/');
+    const auto part = [&](std::size_t i) { return std::string(parts[i]); };
+    if (parts.size() == 6 && request.path.starts_with("/api/v1/datasets/") &&
+        parts[5] == "obstacle.bin")
+        obstacle(request, identity, part(4), respond);
+    else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
+             parts[5] == "surfaces")
+        surface(request, identity, {part(4), part(6), part(7)}, respond);
     else
         return false;
     return true;
@@ -388,7 +359,7 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const std::string tag =
         tag_of(*record, job, *wanted, *time, early, status ? status->steps_ready : 0,
                values_of(**dataset) + ((*dataset)->scalars ? (*dataset)->scalars->mark() : ""));
-    if (names(request.header("if-none-match"), tag)) {
+    if (request.has(tag)) {
         respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
         return {};
     }

@@ -53,19 +53,13 @@ std::optional<std::string_view> shown_secret(const HttpRequest& request) {
     if (!request.upgrade)
         return std::nullopt;
     std::optional<std::string_view> found;
-    for (std::string_view offers : request.all("sec-websocket-protocol"))
-        while (!offers.empty()) {
-            const auto end = std::min(offers.find(','), offers.size());
-            std::string_view offer = offers.substr(0, end);
-            offers.remove_prefix(std::min(end + 1, offers.size()));
-            offer.remove_prefix(std::min(offer.find_first_not_of(" \t"), offer.size()));
-            offer = offer.substr(0, std::min(offer.find_last_not_of(" \t") + 1, offer.size()));
-            if (!offer.starts_with(login_protocol))
-                continue;
-            if (found)
-                return std::nullopt;
-            found = offer.substr(login_protocol.size());
-        }
+    for (const std::string_view offer : request.list("sec-websocket-protocol")) {
+        if (!offer.starts_with(login_protocol))
+            continue;
+        if (found)
+            return std::nullopt;
+        found = offer.substr(login_protocol.size());
+    }
     return found;
 }
 
@@ -141,21 +135,13 @@ Gate::Gate(GateOptions options,
     }
 }
 
-std::optional<Refusal> Gate::check_open(const HttpRequest& request) const {
+std::optional<HttpResponse> Gate::check_open(const HttpRequest& request) const {
     if (auto refusal = check_host(request))
         return refusal;
     return check_origin(request);
 }
 
-std::optional<Refusal> Gate::check_file(const HttpRequest& request) const {
-    return check_host(request);
-}
-
-std::optional<Refusal> Gate::check_health(const HttpRequest& request) const {
-    return check_origin(request);
-}
-
-tl::expected<Visitor, Refusal> Gate::check(const HttpRequest& request) {
+tl::expected<Visitor, HttpResponse> Gate::check(const HttpRequest& request) {
     if (auto refusal = check_open(request)) {
         auto too_many = count_stranger(request.from, 1.0);
         return tl::unexpected(too_many ? std::move(*too_many) : std::move(*refusal));
@@ -180,24 +166,25 @@ bool Gate::still(const Visitor& visitor) const {
            holder_of_grant(visitor.grant).has_value();
 }
 
-std::optional<Refusal> Gate::check_host(const HttpRequest& request) const {
+std::optional<HttpResponse> Gate::check_host(const HttpRequest& request) const {
     const auto values = request.all("host");
     const auto name = values.size() == 1 ? host_name(values.front()) : std::nullopt;
     if (name && (contains(hosts_, *name) || is_loopback(*name)))
         return std::nullopt;
-    return Refusal{403, "the request is for a host name that this server does not use",
-                   "use the address wakesurf printed, or start it with --origin and the address "
-                   "that the browser shows, up to the path"};
+    return http_error(403, "the request is for a host name that this server does not use",
+                      "use the address wakesurf printed, or start it with --origin and the address "
+                      "that the browser shows, up to the path");
 }
 
-std::optional<Refusal> Gate::check_origin(const HttpRequest& request) const {
+std::optional<HttpResponse> Gate::check_origin(const HttpRequest& request) const {
     const auto values = request.all("origin");
     const bool one = values.size() == 1;
     if (values.empty() || (one && (contains(origins_, values.front()) || tunnelled(request))))
         return std::nullopt;
-    return Refusal{403, "the request comes from a page of another origin",
-                   "open the page at the address wakesurf printed, or start it with --origin and "
-                   "the address that the browser shows, up to the path"};
+    return http_error(
+        403, "the request comes from a page of another origin",
+        "open the page at the address wakesurf printed, or start it with --origin and "
+        "the address that the browser shows, up to the path");
 }
 
 /// Through `ssh -L` browsers know the server by another port. The page's origin is then the address that the
@@ -213,7 +200,7 @@ std::string Gate::scheme() const {
     return options_.tls ? "https://" : "http://";
 }
 
-tl::expected<Visitor, Refusal> Gate::check_token(const HttpRequest& request) {
+tl::expected<Visitor, HttpResponse> Gate::check_token(const HttpRequest& request) {
     if (auto visitor = visitor_of(request))
         return std::move(*visitor);
     if (shows_something(request))
@@ -221,9 +208,9 @@ tl::expected<Visitor, Refusal> Gate::check_token(const HttpRequest& request) {
     if (auto refusal = count_stranger(request.from, 1.0))
         return tl::unexpected(std::move(*refusal));
     return tl::unexpected(
-        Refusal{401, "a token is needed",
-                "send `Authorization: Bearer TOKEN` with the token wakesurf printed, or "
-                "the key of a share link"});
+        http_error(401, "a token is needed",
+                   "send `Authorization: Bearer TOKEN` with the token wakesurf printed, or "
+                   "the key of a share link"));
 }
 
 /// Accepts a token or a key as such, or a login made for one.
@@ -239,7 +226,7 @@ std::optional<Visitor> Gate::visitor_of(const HttpRequest& request) const {
     return std::nullopt;
 }
 
-std::optional<Refusal> Gate::count_open(const HttpRequest& request, std::size_t bytes) {
+std::optional<HttpResponse> Gate::count_open(const HttpRequest& request, std::size_t bytes) {
     auto refusal =
         count_stranger(request.from, 1.0 + static_cast<double>(bytes / limits::strangers_bytes));
     if (refusal && (options_.token.empty() || visitor_of(request)))
@@ -247,18 +234,15 @@ std::optional<Refusal> Gate::count_open(const HttpRequest& request, std::size_t 
     return refusal;
 }
 
-std::optional<Refusal> Gate::count_stranger(const std::string& from, double count) {
+std::optional<HttpResponse> Gate::count_stranger(const std::string& from, double count) {
     const auto wait = strangers_.wait_for(from);
     if (wait.count() == 0) {
         strangers_.take(from, count);
         return std::nullopt;
     }
     over_budget(Budgeted::Strangers);
-    return Refusal{429,
-                   "too many requests without a token come from this address",
-                   "wait a moment, or log in first",
-                   {},
-                   std::chrono::ceil<std::chrono::seconds>(wait)};
+    return http_too_fast("too many requests without a token come from this address",
+                         "wait a moment, or log in first", wait);
 }
 
 void Gate::over_budget(Budgeted kind) const {
@@ -276,20 +260,21 @@ std::optional<Identity> Gate::holder_of_grant(const std::string& grant) const {
     return grant.empty() ? Identity{} : grants_.identity(grant);
 }
 
-Refusal Gate::wrong_token(const std::string& from) {
+HttpResponse Gate::wrong_token(const std::string& from) {
     const auto wait = wrong_tokens_.wait_for(from);
     if (wait.count() > 0) {
         over_budget(Budgeted::WrongTokens);
-        return {429, "too many wrong tokens have been tried from this address",
-                "wait a few seconds"};
+        return http_too_fast("too many wrong tokens have been tried from this address",
+                             "wait a few seconds", std::chrono::seconds(5));
     }
     wrong_tokens_.take(from, 1.0);
-    return {401, "the token is wrong, or the share link has ended",
-            "use the token wakesurf printed when it was last started, or ask for a new link"};
+    return http_error(
+        401, "the token is wrong, or the share link has ended",
+        "use the token wakesurf printed when it was last started, or ask for a new link");
 }
 
-tl::expected<Gate::LoggedIn, Refusal> Gate::login(const HttpRequest& request,
-                                                  const LoginWish& wish) {
+tl::expected<Gate::LoggedIn, HttpResponse> Gate::login(const HttpRequest& request,
+                                                       const LoginWish& wish) {
     const auto had = wish.login ? logins_.find(*wish.login) : std::nullopt;
     const auto grant = wish.token && !options_.token.empty() ? holder_of(*wish.token)
                        : options_.token.empty()              ? std::optional(Identity{})

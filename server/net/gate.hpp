@@ -14,7 +14,6 @@
 
 #include <tl/expected.hpp>
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -33,17 +32,7 @@ struct GateOptions {
     UnixTime unix_time = unix_seconds;
 };
 
-/// Explains why a request was refused.
-struct Refusal {
-    unsigned status = 403;
-    std::string message;
-    std::string hint;
-    /// The limit that was exceeded, if one was.
-    std::optional<std::uint64_t> limit = {};
-    std::chrono::seconds retry_after{5}; ///< of 429 and 503
-};
-
-/// Checks requests. Loop thread only. REQUIRES: the grants outlive this.
+/// Checks requests; an answer is why one is refused. Loop thread only. REQUIRES: the grants outlive this.
 class Gate {
   public:
     /// @param metrics  counts refusals; may be null
@@ -54,21 +43,21 @@ class Gate {
          Metrics* metrics = nullptr);
 
     /// Checks requests that need no token: the same Host and Origin as all others. Empty: admitted.
-    std::optional<Refusal> check_open(const HttpRequest& request) const;
+    std::optional<HttpResponse> check_open(const HttpRequest& request) const;
 
-    /// Checks requests for the page's own files, which hold no secret: the same Host as all others. Browsers
-    /// name an Origin for scripts and styles, and a page without them could not say why it is refused.
-    std::optional<Refusal> check_file(const HttpRequest& request) const;
+    /// Checks requests for the page's own files, which hold no secret. Browsers name an Origin for scripts and
+    /// styles, and a page without them could not say why it is refused.
+    std::optional<HttpResponse> check_host(const HttpRequest& request) const;
 
-    /// Checks requests for /healthz: the same Origin as all others. A proxy asks under any name.
-    std::optional<Refusal> check_health(const HttpRequest& request) const;
+    /// Checks requests for /healthz: a proxy asks under any name.
+    std::optional<HttpResponse> check_origin(const HttpRequest& request) const;
 
     /// Counts a request that needs no token, with an answer of so many bytes. Error: 429 if its address sends
     /// more of them than it may; a client that shows a token all the same is not refused.
-    std::optional<Refusal> count_open(const HttpRequest& request, std::size_t bytes = 0);
+    std::optional<HttpResponse> count_open(const HttpRequest& request, std::size_t bytes = 0);
 
     /// Authenticates a request. Without authentication every client is a host.
-    tl::expected<Visitor, Refusal> check(const HttpRequest& request);
+    tl::expected<Visitor, HttpResponse> check(const HttpRequest& request);
 
     /// Says whether check() will admit a host, by the request's header; counts nothing.
     bool is_host(const HttpRequest& header);
@@ -89,23 +78,21 @@ class Gate {
 
     /// Renews the page's login for a week if it is valid, and for the same as the token if one is shown; else
     /// makes a new one.
-    tl::expected<LoggedIn, Refusal> login(const HttpRequest& request, const LoginWish& wish);
+    tl::expected<LoggedIn, HttpResponse> login(const HttpRequest& request, const LoginWish& wish);
 
     /// Ends the login that is shown. `kept` is called, now or later, once a restarted server will know it;
     /// without a login, at once. @returns  Visitor::person of the login; empty: none
     std::string logout(const HttpRequest& request, LoginStore::Done kept);
 
   private:
-    std::optional<Refusal> check_host(const HttpRequest& request) const;
-    std::optional<Refusal> check_origin(const HttpRequest& request) const;
-    tl::expected<Visitor, Refusal> check_token(const HttpRequest& request);
+    tl::expected<Visitor, HttpResponse> check_token(const HttpRequest& request);
     std::optional<Visitor> visitor_of(const HttpRequest& request) const;
-    std::optional<Refusal> count_stranger(const std::string& from, double count);
+    std::optional<HttpResponse> count_stranger(const std::string& from, double count);
     std::optional<Identity> holder_of(std::string_view token) const;
     std::optional<Identity> holder_of_grant(const std::string& grant) const;
     bool tunnelled(const HttpRequest& request) const;
     std::string scheme() const;
-    Refusal wrong_token(const std::string& from);
+    HttpResponse wrong_token(const std::string& from);
     void over_budget(Budgeted kind) const;
 
     GateOptions options_;

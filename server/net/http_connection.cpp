@@ -3,7 +3,6 @@
 #include "server/base/limits.hpp"
 #include "server/net/byte_stream.hpp"
 #include "server/net/gate.hpp"
-#include "server/net/http_error.hpp"
 #include "server/net/websocket_connection.hpp"
 
 #include <boost/asio/ssl/error.hpp>
@@ -262,7 +261,7 @@ void HttpConnection::handle(Request request) {
     HttpRequest values = plain(request);
     values.body = std::move(request.body());
     if (services_.proxies.trusts(peer_)) {
-        const auto client = services_.proxies.client_of(peer_, values.all("x-forwarded-for"));
+        const auto client = services_.proxies.client_of(peer_, values.list("x-forwarded-for"));
         permit_->came_from(client, services_.proxies.trusts(client));
     }
     values.from = permit_->from();

@@ -1,7 +1,11 @@
-// HTTP requests and responses as plain values, so that only the connection knows Beast, and the security headers of every response.
+// HTTP requests and responses as plain values, so that only the connection knows Beast; the responses that many
+// paths share, and the security headers of every one.
 #pragma once
 
+#include "core/base/result.hpp"
+
 #include <chrono>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -54,6 +58,12 @@ struct HttpRequest {
         const auto values = all(name);
         return values.empty() ? std::string_view{} : values.front();
     }
+
+    /// Returns the elements of a header that is a list; several such headers are one list.
+    std::vector<std::string_view> list(std::string_view name) const;
+
+    /// Says whether If-None-Match names this tag; weak ones count (RFC 9110, 13.1.2).
+    bool has(std::string_view tag) const;
 };
 
 struct HttpResponse {
@@ -66,5 +76,23 @@ struct HttpResponse {
 
 /// Takes the one response, now or later, on the loop's thread.
 using Respond = std::function<void(HttpResponse)>;
+
+/// Returns a text that is not stored.
+HttpResponse
+http_text(unsigned status, std::string text, const char* type = "text/plain; charset=utf-8");
+
+HttpResponse http_json(std::string text);
+
+/// Errors are JSON-RPC error objects, so that scripts read one shape everywhere.
+HttpResponse http_error(unsigned status, std::string message, std::string hint);
+HttpResponse http_error(const core::Error& error);
+
+/// Returns an error of an exceeded limit: code -32014, for any status.
+HttpResponse
+http_over_limit(unsigned status, std::uint64_t limit, std::string message, std::string hint);
+
+/// Returns an error 429.
+HttpResponse
+http_too_fast(std::string message, std::string hint, std::chrono::nanoseconds retry_after);
 
 } // namespace wakesurf::server

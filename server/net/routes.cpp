@@ -3,7 +3,7 @@
 #include "protocol/api/base/json_members.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "server/base/limits.hpp"
-#include "server/net/http_error.hpp"
+#include "server/base/split.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -36,29 +36,10 @@ HttpResponse wrong_method(const char* allowed) {
     return response;
 }
 
-HttpResponse healthy(std::string text) {
-    HttpResponse response;
-    response.headers = {{"Content-Type", "text/plain; charset=utf-8"},
-                        {"Cache-Control", "no-store"}};
-    response.body = std::make_shared<const std::string>(std::move(text));
-    return response;
-}
-
-HttpResponse counted(std::string text) {
-    HttpResponse response;
-    response.headers = {{"Content-Type", "text/plain; version=0.0.4; charset=utf-8"},
-                        {"Cache-Control", "no-store"}};
-    response.body = std::make_shared<const std::string>(std::move(text));
-    return response;
-}
-
 /// Says whether a client offers our subprotocol; one that offers none is a script and gets ours.
 bool speaks_our_protocol(const HttpRequest& request) {
-    const auto offers = request.all("sec-websocket-protocol");
-    for (const std::string_view offer : offers)
-        if (offer.find("wakesurf.v1") != std::string_view::npos)
-            return true;
-    return offers.empty();
+    const auto offers = request.list("sec-websocket-protocol");
+    return offers.empty() || std::ranges::find(offers, "wakesurf.v1") != offers.end();
 }
 
 /// Says whether a key is 16 bytes in base64 (RFC 6455, 4.2.1).
@@ -96,12 +77,8 @@ HttpResponse too_much_waits(std::size_t bytes) {
 }
 
 HttpResponse too_many_logins(const Budgets::TooFast& slower) {
-    return http_error(
-        Refusal{429,
-                "too many logins and logouts of this token or link, or from this address",
-                "wait a moment",
-                {},
-                std::chrono::ceil<std::chrono::seconds>(slower.retry_after)});
+    return http_too_fast("too many logins and logouts of this token or link, or from this address",
+                         "wait a moment", slower.retry_after);
 }
 
 HttpResponse nothing_there() {
@@ -123,11 +100,8 @@ std::optional<HttpResponse> doubled_slash(const std::string& path) {
 
 /// Says whether a path belongs to a session that the share link is not for.
 bool out_of_reach(std::string_view path, const Visitor& visitor) {
-    constexpr std::string_view sessions = "/api/v1/sessions/";
-    if (visitor.session.empty() || !path.starts_with(sessions))
-        return false;
-    path.remove_prefix(sessions.size());
-    return path.substr(0, path.find('/')) != visitor.session;
+    return !visitor.session.empty() && path.starts_with("/api/v1/sessions/") &&
+           split(path, '/')[4] != visitor.session;
 }
 
 } // namespace
@@ -137,7 +111,7 @@ tl::expected<Admitted, HttpResponse> Routes::admit_upgrade(const HttpRequest& re
         return tl::unexpected(std::move(*mistaken));
     auto visitor = gate_.check(request);
     if (!visitor)
-        return tl::unexpected(http_error(visitor.error()));
+        return tl::unexpected(std::move(visitor.error()));
     if (request.path != "/ws")
         return tl::unexpected(
             http_error(404, "there is no WebSocket at this path", "connect to /ws"));
@@ -169,7 +143,7 @@ void Routes::handle(const HttpRequest& request,
         return respond(counted_open(request, std::move(*answer)));
     const auto visitor = gate_.check(request);
     if (!visitor)
-        return respond(http_error(visitor.error()));
+        return respond(visitor.error());
     const double messages = 1.0 + static_cast<double>(request.body.size()) / 1024.0;
     const auto pause = budgets_.read(*visitor, messages);
     auto permits = permits_for(request, *visitor);
@@ -185,8 +159,8 @@ void Routes::handle(const HttpRequest& request,
            permits = std::move(*permits), shared = is_shared_file(request.path),
            respond = std::move(respond)](HttpResponse response) {
               if (!gate.still(visitor))
-                  response = http_error(Refusal{401, "the share link or login has ended",
-                                                "ask for a new link, or log in again"});
+                  response = http_error(401, "the share link or login has ended",
+                                        "ask for a new link, or log in again");
               const std::size_t bytes = shared ? 0 : response.body->size();
               auto held = outboxes.hold(bytes);
               if (held == nullptr)
@@ -205,21 +179,21 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
     const bool in = request.path == login_path;
     const bool out = request.path == logout_path;
     if (auto mistaken = doubled_slash(request.path)) {
-        const auto refusal = gate_.check_health(request);
-        return refusal ? http_error(*refusal) : std::move(*mistaken);
+        auto refusal = gate_.check_origin(request);
+        return refusal ? std::move(refusal) : std::move(mistaken);
     }
     if (!file && !in && !out && request.path != health_path)
         return std::nullopt;
-    const auto refusal = file          ? gate_.check_file(request)
-                         : (in || out) ? gate_.check_open(request)
-                                       : gate_.check_health(request);
+    auto refusal = file          ? gate_.check_host(request)
+                   : (in || out) ? gate_.check_open(request)
+                                 : gate_.check_origin(request);
     if (refusal)
-        return http_error(*refusal);
+        return refusal;
     if (in || out)
         return request.method == "POST" ? login(request) : wrong_method("POST");
     if (!reads(request))
         return wrong_method("GET");
-    return file ? files_.respond(request) : healthy(health_());
+    return file ? files_.respond(request) : http_text(200, health_());
 }
 
 /// Counts an open request. A valid login is no stranger's: it counts as an edit of its token or link. /healthz is always answered, or a flood would make
@@ -227,11 +201,11 @@ std::optional<HttpResponse> Routes::answer_open(const HttpRequest& request) {
 HttpResponse Routes::counted_open(const HttpRequest& request, HttpResponse answer) {
     if (request.path == login_path && answer.status == 200)
         return answer;
-    const auto refusal = gate_.count_open(request, answer.body->size());
+    auto refusal = gate_.count_open(request, answer.body->size());
     if (!refusal)
         return answer;
     if (request.path != health_path)
-        return http_error(*refusal);
+        return std::move(*refusal);
     answer.pause = limits::stranger_pause;
     return answer;
 }
@@ -267,7 +241,7 @@ void Routes::serve(const HttpRequest& request, const Visitor& visitor, Respond r
         return respond(http_json(dispatcher_.document()));
     if (request.path == "/metrics")
         return respond(visitor.grant.empty()
-                           ? counted(metrics_())
+                           ? http_text(200, metrics_(), "text/plain; version=0.0.4; charset=utf-8")
                            : http_error(403, "a share link does not give access to this",
                                         "send the token wakesurf printed"));
     if (request.path == "/ws")
@@ -305,7 +279,7 @@ HttpResponse Routes::login(const HttpRequest& request) {
         return http_error(400, verdict.error().message, example);
     const auto login = gate_.login(request, wish);
     if (!login)
-        return http_error(login.error());
+        return login.error();
     // Each login has a person of its own, so here the address counts as the person.
     if (const auto slower = budgets_.call(Visitor(login->holder, request.from), true))
         return too_many_logins(*slower);
@@ -318,7 +292,7 @@ HttpResponse Routes::login(const HttpRequest& request) {
 /// Ends the login that is shown at once. The answer waits for the disk, and reports its error.
 void Routes::logout(const HttpRequest& request, Respond respond) {
     if (const auto refusal = gate_.count_open(request))
-        return respond(http_error(*refusal));
+        return respond(*refusal);
     if (const auto visitor = gate_.check(request))
         if (const auto slower = budgets_.call(Visitor(*visitor, request.from), true))
             return respond(too_many_logins(*slower));

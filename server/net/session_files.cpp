@@ -4,8 +4,8 @@
 #include "protocol/api/session_file.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/secret.hpp"
+#include "server/base/split.hpp"
 #include "server/live/compute/background.hpp"
-#include "server/net/http_error.hpp"
 #include "server/net/methods/session_import.hpp"
 #include "server/sessions/records/thumbnail.hpp"
 #include "server/sessions/session_exchange.hpp"
@@ -21,25 +21,6 @@ namespace wakesurf::server {
 namespace {
 
 using Text = std::shared_ptr<const std::string>;
-
-struct Wanted {
-    std::string session;
-    std::string file;
-};
-
-std::optional<Wanted> wanted(std::string_view path) {
-    constexpr std::string_view start = "/api/v1/sessions/";
-    if (!path.starts_with(start))
-        return std::nullopt;
-    path.remove_prefix(start.size());
-    const auto slash = path.find('/');
-    if (slash == std::string_view::npos)
-        return std::nullopt;
-    Wanted out{std::string(path.substr(0, slash)), std::string(path.substr(slash + 1))};
-    if (out.file != "session.json" && out.file != "thumbnail")
-        return std::nullopt;
-    return out;
-}
 
 /// Returns the picture in base64. Error: NotFound if the session is neither open nor in the trash.
 core::Result<std::string> thumbnail_of(const SessionDirectory& sessions, const std::string& id) {
@@ -60,8 +41,7 @@ HttpResponse picture(const std::string& base64, const HttpRequest& request) {
     HttpResponse response{
         200,
         {{"Content-Type", image->type}, {"Cache-Control", "private, no-cache"}, {"ETag", tag}}};
-    const std::string_view known = request.header("if-none-match");
-    if (known == "*" || known.find(tag) != std::string_view::npos)
+    if (request.has(tag))
         response.status = 304;
     else
         response.body = std::make_shared<const std::string>(image->bytes);
@@ -78,15 +58,18 @@ SessionFiles::SessionFiles(Loop& loop,
     : loop_(loop), pool_(pool), sessions_(sessions), datasets_(datasets), journal_(journal) {}
 
 bool SessionFiles::get(const HttpRequest& request, const Respond& respond) {
-    const auto what = wanted(request.path);
-    if (!what)
+    const auto parts = split(request.path, '/');
+    if (parts.size() != 6 || !request.path.starts_with("/api/v1/sessions/"))
         return false;
-    if (what->file == "thumbnail") {
-        const auto base64 = thumbnail_of(sessions_, what->session);
+    const std::string id(parts[4]);
+    if (parts[5] == "thumbnail") {
+        const auto base64 = thumbnail_of(sessions_, id);
         respond(base64 ? picture(*base64, request) : http_error(base64.error()));
         return true;
     }
-    if (const auto session = sessions_.find(what->session); session)
+    if (parts[5] != "session.json")
+        return false;
+    if (const auto session = sessions_.find(id); session)
         send_file(**session, respond);
     else
         respond(http_error(session.error()));

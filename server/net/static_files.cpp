@@ -37,16 +37,6 @@ std::string read(const fs::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-HttpResponse not_built() {
-    HttpResponse response;
-    response.status = 503;
-    response.headers = {{"Content-Type", "text/plain; charset=utf-8"},
-                        {"Cache-Control", "no-store"}};
-    response.body = std::make_shared<const std::string>(
-        "The web client is not built: run `./run`, or start wakesurf with --web DIR.\n");
-    return response;
-}
-
 } // namespace
 
 std::string_view mime_type(std::string_view path) {
@@ -80,18 +70,17 @@ HttpResponse StaticFiles::respond(const HttpRequest& request) const {
     const auto found = files_.find(request.path == "/" ? std::string_view("/index.html")
                                                        : std::string_view(request.path));
     if (found == files_.end())
-        return not_built();
+        return http_text(
+            503, "The web client is not built: run `./run`, or start wakesurf with --web DIR.\n");
     const File& file = found->second;
-    HttpResponse response;
-    response.headers = {
-        {"ETag", file.etag},
-        {"Cache-Control", file.hashed ? "public, max-age=31536000, immutable" : "no-cache"}};
-    if (request.header("if-none-match") == file.etag) {
-        response.status = 304;
-        return response;
+    HttpResponse response{
+        request.has(file.etag) ? 304U : 200U,
+        {{"ETag", file.etag},
+         {"Cache-Control", file.hashed ? "public, max-age=31536000, immutable" : "no-cache"}}};
+    if (response.status == 200) {
+        response.headers.emplace_back("Content-Type", file.type);
+        response.body = file.bytes;
     }
-    response.headers.emplace_back("Content-Type", file.type);
-    response.body = file.bytes;
     return response;
 }
 

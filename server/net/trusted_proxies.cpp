@@ -101,6 +101,7 @@ namespace {
 
 using boost::asio::ip::address;
 using boost::asio::ip::address_v6;
+using boost::asio::ip::network_v6;
 
 constexpr unsigned mapped_bits = 96;
 
@@ -116,16 +117,8 @@ std::optional<address> read_address(std::string_view text) {
     return error ? std::nullopt : std::optional(plain_address(out));
 }
 
-std::string_view trimmed(std::string_view text) {
-    const auto first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos)
-        return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 /// Parses an address as proxies write it: also in brackets or quotes, also with a port.
 std::optional<address> read_hop(std::string_view text) {
-    text = trimmed(text);
     if (text.size() > 1 && text.front() == '"' && text.back() == '"')
         text = text.substr(1, text.size() - 2);
     if (text.starts_with('['))
@@ -133,29 +126,6 @@ std::optional<address> read_hop(std::string_view text) {
     if (std::count(text.begin(), text.end(), ':') == 1)
         text = text.substr(0, text.find(':'));
     return read_address(text);
-}
-
-bool starts_alike(const address_v6& a, const address_v6& b, unsigned bits) {
-    const auto x = a.to_bytes();
-    const auto y = b.to_bytes();
-    const unsigned whole = bits / 8;
-    if (!std::equal(x.begin(), x.begin() + whole, y.begin()))
-        return false;
-    const auto mask = static_cast<unsigned>(0xff00 >> (bits % 8)) & 0xffU;
-    return bits % 8 == 0 || (x[whole] & mask) == (y[whole] & mask);
-}
-
-std::vector<std::string_view> hops_of(const std::vector<std::string_view>& headers) {
-    std::vector<std::string_view> hops;
-    for (std::string_view header : headers)
-        for (;;) {
-            const auto comma = header.find(',');
-            hops.push_back(header.substr(0, comma));
-            if (comma == std::string_view::npos)
-                break;
-            header.remove_prefix(comma + 1);
-        }
-    return hops;
 }
 
 } // namespace
@@ -177,23 +147,23 @@ core::Result<TrustedProxies> TrustedProxies::parse(const std::vector<std::string
             return core::fail(
                 core::Error::Code::InvalidArgument, "--trusted-proxy is `" + text + "`",
                 "write the proxy's address, or its network: 192.0.2.1, 10.0.0.0/8, ::1");
-        out.ranges_.push_back({as_v6(*found), found->is_v4() ? mapped_bits + bits : bits});
+        const auto length = static_cast<unsigned short>(bits + (found->is_v4() ? mapped_bits : 0));
+        out.networks_.push_back(network_v6(as_v6(*found), length).canonical());
     }
     return out;
 }
 
 bool TrustedProxies::trusts(const address& given) const {
     const address_v6 who = as_v6(plain_address(given));
-    return std::any_of(ranges_.begin(), ranges_.end(), [&](const Range& each) {
-        return starts_alike(who, each.address, each.bits);
+    return std::ranges::any_of(networks_, [&](const network_v6& each) {
+        return network_v6(who, each.prefix_length()).canonical() == each;
     });
 }
 
 address TrustedProxies::client_of(const address& peer,
                                   const std::vector<std::string_view>& forwarded) const {
     address client = plain_address(peer);
-    const auto hops = hops_of(forwarded);
-    for (auto hop = hops.rbegin(); hop != hops.rend() && trusts(client); ++hop) {
+    for (auto hop = forwarded.rbegin(); hop != forwarded.rend() && trusts(client); ++hop) {
         const auto next = read_hop(*hop);
         if (!next)
             break;

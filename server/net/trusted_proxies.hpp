@@ -4,6 +4,7 @@
 #include "core/base/result.hpp"
 
 #include <boost/asio/ip/address.hpp>
+#include <boost/asio/ip/network_v6.hpp>
 
 #include <cstddef>
 #include <optional>
@@ -47,17 +48,12 @@ class TrustedProxies {
     /// Returns the client's address if `peer` forwards its request. Each proxy appends the address it was
     /// asked from to X-Forwarded-For; the client is the last that is no trusted proxy. Returns `peer` if it
     /// is not trusted, or without valid headers.
-    /// @param forwarded  the values of all such headers, in order
+    /// @param forwarded  the elements of all such headers, in order
     boost::asio::ip::address client_of(const boost::asio::ip::address& peer,
                                        const std::vector<std::string_view>& forwarded) const;
 
   private:
-    struct Range {
-        boost::asio::ip::address_v6 address; ///< IPv4 as mapped
-        unsigned bits;
-    };
-
-    std::vector<Range> ranges_;
+    std::vector<boost::asio::ip::network_v6> networks_; ///< IPv4 as mapped
 };
 
 } // namespace wakesurf::server

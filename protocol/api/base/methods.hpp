@@ -13,7 +13,7 @@ struct MethodDescription {
     bool websocket_only;
     bool edits;        ///< changes records that are kept
     bool whole_server; ///< not for share links, which are for one session
-    bool shared;       ///< about what all sessions share: see server/net/methods/permission
+    bool shared;       ///< about what all sessions share: see server/net/methods/caller
     bool copier;       ///< in a copy also for who made it by a share link, whatever their role
     std::span<const std::string_view> parameters;
 };

@@ -195,7 +195,7 @@ TEST_F(GateTest, LetsInThePageOfAPortalWhoseProxyAsksByTheNodesOwnName) {
 
 TEST_F(GateTest, NeverRefusesThePagesOwnFilesForTheirOrigin) {
     const auto file = [&](const std::string& host, const std::string& origin) {
-        return gate.check_file(request("GET", {{"host", host}, {"origin", origin}}));
+        return gate.check_host(request("GET", {{"host", host}, {"origin", origin}}));
     };
     EXPECT_FALSE(file("localhost:9000", "http://anything.example"));
     EXPECT_FALSE(file("lab", "null"));
@@ -203,9 +203,9 @@ TEST_F(GateTest, NeverRefusesThePagesOwnFilesForTheirOrigin) {
 }
 
 TEST_F(GateTest, TellsItsHealthUnderAnyHostButNotToOtherPages) {
-    EXPECT_FALSE(gate.check_health(request("GET", {{"host", "10.0.0.7:8080"}})));
-    EXPECT_FALSE(gate.check_health(request("GET", {})));
-    EXPECT_TRUE(gate.check_health(
+    EXPECT_FALSE(gate.check_origin(request("GET", {{"host", "10.0.0.7:8080"}})));
+    EXPECT_FALSE(gate.check_origin(request("GET", {})));
+    EXPECT_TRUE(gate.check_origin(
         request("GET", {{"host", "localhost"}, {"origin", "http://evil.example"}})));
 }
 
@@ -320,7 +320,8 @@ TEST_F(GateTest, LimitsWhatAnAddressAsksForWithoutAToken) {
     const auto refused = gate.check(closed);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().status, 429u) << "paths that need a token count as well";
-    EXPECT_EQ(refused.error().retry_after.count(), 1);
+    EXPECT_EQ(refused.error().headers.back(),
+              (std::pair<std::string, std::string>("Retry-After", "1")));
     EXPECT_EQ(open("192.0.2.2"), 200u) << "another address";
     clock.time += std::chrono::seconds(1);
     EXPECT_EQ(open("192.0.2.1"), 200u);

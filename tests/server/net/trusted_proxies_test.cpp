@@ -1,4 +1,5 @@
 // Whom a request comes from behind proxies: only what trusted ones say counts.
+#include "server/net/http_message.hpp"
 #include "server/net/trusted_proxies.hpp"
 
 #include <gtest/gtest.h>
@@ -13,10 +14,12 @@ namespace {
 using boost::asio::ip::make_address;
 using Is = ProxyHeader::Is;
 
-std::string client(const TrustedProxies& proxies,
-                   const char* peer,
-                   const std::vector<std::string_view>& forwarded) {
-    return proxies.client_of(make_address(peer), forwarded).to_string();
+std::string
+client(const TrustedProxies& proxies, const char* peer, const std::vector<std::string>& forwarded) {
+    HttpRequest request;
+    for (const std::string& each : forwarded)
+        request.headers.emplace_back("x-forwarded-for", each);
+    return proxies.client_of(make_address(peer), request.list("x-forwarded-for")).to_string();
 }
 
 std::string binary(unsigned command, unsigned family, const std::string& addresses) {
