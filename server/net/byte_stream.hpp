@@ -1,25 +1,27 @@
 // The bytes of one connection, over TCP or over TLS on top of it, behind one type: HTTP and WebSockets are
-// compiled against this, so that each of Beast's algorithms exists once. Has a deadline, after which the
-// socket is closed.
+// compiled against this, so that each of Beast's algorithms exists once.
 #pragma once
 
 #include "server/net/tls_context.hpp"
 #include "server/net/trusted_proxies.hpp"
 
-#include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/system/error_code.hpp>
 
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
+
+namespace boost::asio::ssl {
+template <typename Stream>
+class stream;
+}
 
 namespace boost::beast {
 enum class role_type;
@@ -27,68 +29,28 @@ enum class role_type;
 
 namespace wakesurf::server {
 
-/// A completion handler of any type behind one type, so that Beast's algorithms are compiled once for all
-/// streams. Asio has its own (any_completion_handler) since Boost 1.82.
-/// Holds a handler. Move-only; called once. Cost: one allocation.
-class AnyHandler {
-  public:
-    template <class Handler>
-
-    requires(!std::is_same_v<std::decay_t<Handler>, AnyHandler>) explicit AnyHandler(
-        Handler&& handler)
-        : call_(std::make_unique<Held<std::decay_t<Handler>>>(std::forward<Handler>(handler))) {}
-
-    void operator()(boost::system::error_code error, std::size_t bytes = 0) {
-        const auto call = std::move(call_); // the handler may own the stream
-        call->run(error, bytes);
-    }
-
-  private:
-    struct Callable {
-        virtual ~Callable() = default;
-        virtual void run(boost::system::error_code error, std::size_t bytes) = 0;
-    };
-
-    template <class Handler>
-    struct Held final : Callable {
-        template <class From>
-        explicit Held(From&& from) : handler(std::forward<From>(from)) {}
-
-        void run(boost::system::error_code error, std::size_t bytes) override {
-            Handler local(std::move(handler));
-            if constexpr (std::is_invocable_v<Handler&, boost::system::error_code, std::size_t>)
-                local(error, bytes);
-            else
-                local(error);
-        }
-
-        Handler handler;
-    };
-
-    std::unique_ptr<Callable> call_;
-};
-
 /// Reads and writes a connection. Loop thread only. An AsyncReadStream and AsyncWriteStream as Beast wants
-/// them; handlers are called later, never from within. Movable while no operation is pending.
-class ByteStream {
+/// them; their handlers are called later, never from within. It lives until its operations have ended.
+class ByteStream : public std::enable_shared_from_this<ByteStream> {
   public:
-    using executor_type = boost::asio::any_io_executor;
+    using executor_type = boost::asio::ip::tcp::socket::executor_type;
     using Error = boost::system::error_code;
 
     /// @param tls  null: plain TCP; outlives the stream
     ByteStream(boost::asio::ip::tcp::socket socket, TlsContext* tls);
     ~ByteStream();
-    ByteStream(ByteStream&&) noexcept;
-    ByteStream& operator=(ByteStream&&) = delete;
+    ByteStream(const ByteStream&) = delete;
+    ByteStream& operator=(const ByteStream&) = delete;
 
-    executor_type get_executor() noexcept;
+    executor_type get_executor() noexcept { return socket_.get_executor(); }
 
-    /// Does the TLS handshake; completes at once over plain TCP. A client that speaks plain HTTP to a TLS
-    /// port gets an answer that says so.
-    template <class Handler>
-    void async_accept(Handler&& handler) {
-        accept(AnyHandler(std::forward<Handler>(handler)));
-    }
+    /// Reads the PROXY protocol, if a connection from a proxy begins with it. Called before any other read.
+    /// Error: it is malformed.
+    void async_proxy_header(std::function<void(Error, ProxyHeader)> done);
+
+    /// Does the TLS handshake. The connection of a client that speaks plain HTTP to a TLS port is then not
+    /// encrypted().
+    void async_accept(std::function<void(Error)> done);
 
     template <class Buffers, class Handler>
     void async_read_some(const Buffers& buffers, Handler&& handler) {
@@ -97,60 +59,41 @@ class ByteStream {
         for (auto each = boost::asio::buffer_sequence_begin(buffers); each != end; ++each)
             if (first.size() == 0)
                 first = boost::asio::mutable_buffer(*each);
-        read(first, AnyHandler(std::forward<Handler>(handler)));
+        read(first, held(std::forward<Handler>(handler)));
     }
 
     template <class Buffers, class Handler>
     void async_write_some(const Buffers& buffers, Handler&& handler) {
-        Gathered gathered;
-        const auto end = boost::asio::buffer_sequence_end(buffers);
-        for (auto each = boost::asio::buffer_sequence_begin(buffers); each != end; ++each)
-            if (const boost::asio::const_buffer bytes(*each);
-                bytes.size() > 0 && gathered.count < gathered.buffers.size())
-                gathered.buffers[gathered.count++] = bytes;
-        write(gathered, AnyHandler(std::forward<Handler>(handler)));
+        write(Gathered(boost::asio::buffer_sequence_begin(buffers),
+                       boost::asio::buffer_sequence_end(buffers)),
+              held(std::forward<Handler>(handler)));
     }
-
-    /// Sends as much as the socket takes without waiting and returns the number of bytes; 0 also if it must
-    /// wait for another write, over TLS, and if the connection is broken.
-    std::size_t write_at_once(std::span<const boost::asio::const_buffer> buffers);
 
     /// Sends all of the buffers, which stay valid until then, without other bytes in between. REQUIRES: what
     /// is written meanwhile with async_write_some has at most `whole` bytes, as control frames have.
     template <class Handler>
-    void async_write_whole(std::span<const boost::asio::const_buffer> buffers, Handler&& handler) {
-        write_whole(buffers, AnyHandler(std::forward<Handler>(handler)));
+    void async_write_whole(std::vector<boost::asio::const_buffer> buffers, Handler&& handler) {
+        write_whole(std::move(buffers), held(std::forward<Handler>(handler)));
     }
 
     static constexpr std::size_t whole = 256;
 
-    /// Reads the PROXY protocol, if a connection from a proxy begins with it. Called before any other read.
-    /// Error: it is malformed.
-    void async_proxy_header(std::function<void(Error, ProxyHeader)> done);
-
     /// Puts bytes back, to be read before any others. REQUIRES: no read is pending.
-    void put_back(std::string bytes);
+    void put_back(std::string bytes) { ahead_ = std::move(bytes); }
 
     /// Shuts down sending, waits at most `linger` for the peer to do the same, and closes.
     template <class Handler>
     void async_end(Handler&& handler) {
-        end(AnyHandler(std::forward<Handler>(handler)));
+        end(held(std::forward<Handler>(handler)));
     }
 
     /// Closes at once; pending operations are aborted.
     void close();
 
-    /// Sets the deadline at which the socket is closed, in place of an earlier one.
-    void expires_after(std::chrono::milliseconds delay);
-    void expires_never();
-
-    /// Says whether the deadline closed the socket.
-    bool timed_out() const;
-
-    bool encrypted() const;
+    bool encrypted() const { return tls_ != nullptr; }
 
     /// Says whether the peer has hung up, or will send no more; also if its earlier bytes have not been read.
-    bool peer_gone() const;
+    bool peer_gone();
 
     static constexpr std::chrono::seconds linger{2};
 
@@ -163,27 +106,33 @@ class ByteStream {
     friend void beast_close_socket(ByteStream& stream) { stream.close(); }
 
   private:
-    struct State;
+    using Done = std::function<void(Error, std::size_t)>;
+    using Gathered = std::vector<boost::asio::const_buffer>;
 
-    /// Holds the first few buffers of a sequence: a write may always send less than it was given.
-    struct Gathered {
-        using const_iterator = const boost::asio::const_buffer*;
+    /// Hides the type of a handler, which may only be movable. Asio has its own for this since Boost 1.82.
+    template <class Handler>
+    static Done held(Handler&& handler) {
+        return [kept = std::make_shared<std::decay_t<Handler>>(std::forward<Handler>(handler))](
+                   Error error, [[maybe_unused]] std::size_t bytes) {
+            if constexpr (std::is_invocable_v<std::decay_t<Handler>&, Error, std::size_t>)
+                (*kept)(error, bytes);
+            else
+                (*kept)(error);
+        };
+    }
 
-        const_iterator begin() const { return buffers.data(); }
+    void read_ahead(std::function<void(Error)> done);
+    void read(boost::asio::mutable_buffer buffer, Done done);
+    void write(Gathered buffers, Done done);
+    void write_whole(Gathered buffers, Done done);
+    void end(Done done);
+    void drain(Done done);
 
-        const_iterator end() const { return buffers.data() + count; }
-
-        std::array<boost::asio::const_buffer, 8> buffers;
-        std::size_t count = 0;
-    };
-
-    void accept(AnyHandler handler);
-    void read(boost::asio::mutable_buffer buffer, AnyHandler handler);
-    void write(const Gathered& buffers, AnyHandler handler);
-    void write_whole(std::span<const boost::asio::const_buffer> buffers, AnyHandler handler);
-    void end(AnyHandler handler);
-
-    std::shared_ptr<State> state_;
+    boost::asio::ip::tcp::socket socket_;
+    std::unique_ptr<boost::asio::ssl::stream<boost::asio::ip::tcp::socket&>> tls_;
+    std::string ahead_;                              ///< read already, to be read again
+    bool writing_ = false;                           ///< a write that must not be interrupted
+    std::vector<std::pair<Gathered, Done>> waiting_; ///< writes that wait for its end
 };
 
 } // namespace wakesurf::server

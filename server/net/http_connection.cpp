@@ -20,6 +20,8 @@
 #include <spdlog/spdlog.h>
 
 #include <cctype>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -90,8 +92,8 @@ class HttpConnection final : public Connection,
     HttpConnection(tcp::socket socket,
                    std::unique_ptr<Admission::Permit> permit,
                    NetServices services)
-        : stream_(std::move(socket), services.tls), services_(services), permit_(std::move(permit)),
-          waiting_(stream_.get_executor()) {
+        : stream_(std::make_shared<ByteStream>(std::move(socket), services.tls)),
+          timer_(stream_->get_executor()), services_(services), permit_(std::move(permit)) {
         services_.connections.add(*this);
     }
 
@@ -102,18 +104,17 @@ class HttpConnection final : public Connection,
     void go_away() override { abandon(); }
 
     void abandon() override {
-        waiting_.cancel();
-        stream_.close();
+        timer_.cancel();
+        stream_->close();
     }
-
-    void announce(const std::string&) override {}
-
-    void log_out(const std::string&) override {}
 
   private:
     using Request = http::request<http::string_body>;
     using Response = http::response<http::span_body<const char>>;
 
+    void after(std::chrono::milliseconds delay, std::function<void()> act);
+    void expires_after(std::chrono::milliseconds delay);
+    void no_deadline();
     void accept();
     void await_request(std::chrono::seconds patience);
     void read_header();
@@ -127,7 +128,9 @@ class HttpConnection final : public Connection,
     void written();
     void end();
 
-    ByteStream stream_;
+    std::shared_ptr<ByteStream> stream_;
+    boost::asio::steady_timer timer_;                  ///< the deadline, or what happens next
+    bool timed_out_ = false;                           ///< the deadline closed the stream
     beast::flat_buffer buffer_{limits::message_bytes}; ///< the only limit on extensions of chunks
     NetServices services_;
     std::unique_ptr<Admission::Permit> permit_;
@@ -137,7 +140,6 @@ class HttpConnection final : public Connection,
     std::optional<Response> response_;
     std::optional<http::response_serializer<http::span_body<const char>>> serializer_;
     std::optional<std::stop_source> gone_; ///< fires when the client hangs up before its answer
-    boost::asio::steady_timer waiting_;
     std::size_t longest_body_ = limits::message_bytes; ///< of the request being read
     bool named_ = false; ///< over TLS, under a name that other machines use
 };
@@ -160,16 +162,39 @@ HttpRequest plain(const http::request_header<>& request) {
     return out;
 }
 
+/// Acts later, instead of what was to happen later before.
+void HttpConnection::after(std::chrono::milliseconds delay, std::function<void()> act) {
+    timer_.expires_after(delay);
+    timer_.async_wait([weak = weak_from_this(), act = std::move(act)](error_code error) {
+        const auto self = weak.lock();
+        // A timer that was set again too late to be cancelled must not act.
+        if (!error && self && self->timer_.expiry() <= boost::asio::steady_timer::clock_type::now())
+            act();
+    });
+}
+
+/// Sets the deadline at which the stream is closed.
+void HttpConnection::expires_after(std::chrono::milliseconds delay) {
+    after(delay, [this] {
+        timed_out_ = true;
+        stream_->close();
+    });
+}
+
+void HttpConnection::no_deadline() {
+    timer_.expires_at(boost::asio::steady_timer::time_point::max());
+}
+
 void HttpConnection::start(const boost::asio::ip::address& peer) {
     peer_ = peer;
     permit_->on_end([weak = weak_from_this()] {
         if (const auto self = weak.lock())
-            self->stream_.close();
+            self->stream_->close();
     });
-    stream_.expires_after(limits::handshake);
+    expires_after(limits::handshake);
     if (!services_.proxies.trusts(peer))
         return accept();
-    stream_.async_proxy_header(
+    stream_->async_proxy_header(
         [self = shared_from_this()](error_code error, const ProxyHeader& header) {
             if (error)
                 return self->failed(error);
@@ -182,10 +207,13 @@ void HttpConnection::start(const boost::asio::ip::address& peer) {
 }
 
 void HttpConnection::accept() {
-    stream_.async_accept([self = shared_from_this()](error_code error) {
-        if (!error)
-            return self->await_request(limits::handshake);
-        self->failed(error);
+    stream_->async_accept([self = shared_from_this()](error_code error) {
+        if (error)
+            return self->failed(error);
+        if (self->services_.tls != nullptr && !self->stream_->encrypted())
+            return self->respond(http_text(400, "this port speaks TLS: use https:// or wss://\n"),
+                                 false, false);
+        self->await_request(limits::handshake);
     });
 }
 
@@ -193,23 +221,23 @@ void HttpConnection::accept() {
 void HttpConnection::await_request(std::chrono::seconds patience) {
     if (buffer_.size() > 0)
         return read_header();
-    stream_.expires_after(patience);
-    stream_.async_read_some(buffer_.prepare(first_bytes),
-                            [self = shared_from_this()](error_code error, std::size_t bytes) {
-                                if (error)
-                                    return self->failed(error);
-                                self->buffer_.commit(bytes);
-                                self->read_header();
-                            });
+    expires_after(patience);
+    stream_->async_read_some(buffer_.prepare(first_bytes),
+                             [self = shared_from_this()](error_code error, std::size_t bytes) {
+                                 if (error)
+                                     return self->failed(error);
+                                 self->buffer_.commit(bytes);
+                                 self->read_header();
+                             });
 }
 
 void HttpConnection::read_header() {
     parser_.emplace();
     parser_->header_limit(limits::http_header_bytes);
     parser_->body_limit(limits::session_file_bytes); // the header will lower it
-    stream_.expires_after(limits::handshake);
+    expires_after(limits::handshake);
     http::async_read_header(
-        stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
+        *stream_, buffer_, *parser_, [self = shared_from_this()](error_code error, std::size_t) {
             self->longest_body_ =
                 error && error != http::error::body_limit
                     ? limits::message_bytes
@@ -231,9 +259,9 @@ void HttpConnection::read_body() {
     if (const auto length = parser_->content_length(); length && *length > longest_body_)
         return respond(too_long(longest_body_), false, false);
     parser_->body_limit(longest_body_);
-    stream_.expires_after(longest_body_ > limits::message_bytes ? limits::session_file_time
-                                                                : limits::handshake);
-    http::async_read(stream_, buffer_, *parser_,
+    expires_after(longest_body_ > limits::message_bytes ? limits::session_file_time
+                                                        : limits::handshake);
+    http::async_read(*stream_, buffer_, *parser_,
                      [self = shared_from_this()](error_code error, std::size_t) {
                          if (error)
                              return self->failed(error);
@@ -242,9 +270,9 @@ void HttpConnection::read_body() {
 }
 
 void HttpConnection::failed(error_code error) {
-    if (stream_.timed_out()) {
+    if (timed_out_) {
         services_.metrics.reject(Rejection::HandshakeTimeout);
-        return stream_.close();
+        return stream_->close();
     }
     if (const auto answer = answer_to(error, longest_body_))
         return respond(*answer, false, false);
@@ -253,11 +281,11 @@ void HttpConnection::failed(error_code error) {
         services_.metrics.reject(Rejection::Malformed);
         return end();
     }
-    stream_.close();
+    stream_->close();
 }
 
 void HttpConnection::handle(Request request) {
-    stream_.expires_never(); // an answer may take a while; writing it sets the deadline again
+    no_deadline(); // an answer may take a while; writing it sets the deadline again
     HttpRequest values = plain(request);
     values.body = std::move(request.body());
     if (services_.proxies.trusts(peer_)) {
@@ -266,7 +294,7 @@ void HttpConnection::handle(Request request) {
     }
     values.from = permit_->from();
     const auto host = host_name(values.header("host"));
-    named_ = stream_.encrypted() && host && !is_loopback(*host);
+    named_ = stream_->encrypted() && host && !is_loopback(*host);
     if (values.upgrade) {
         const auto admitted = services_.routes.admit_upgrade(values);
         if (!admitted)
@@ -286,22 +314,19 @@ void HttpConnection::handle(Request request) {
 
 /// Nothing is read while a client waits for an answer: only the kernel knows that it has hung up.
 void HttpConnection::check_still_connected() {
-    waiting_.expires_after(limits::gone_check);
-    waiting_.async_wait([weak = weak_from_this()](error_code error) {
-        const auto self = weak.lock();
-        if (error || !self || !self->gone_)
-            return;
-        if (!self->stream_.peer_gone())
-            return self->check_still_connected();
-        self->stream_.close();
-        std::exchange(self->gone_, std::nullopt)->request_stop();
+    after(limits::gone_check, [this] {
+        if (!stream_->peer_gone())
+            return check_still_connected();
+        stream_->close();
+        std::exchange(gone_, std::nullopt)->request_stop();
     });
 }
 
 void HttpConnection::upgrade(const HttpRequest& request, const Admitted& admitted) {
     permit_->let_in();
     services_.connections.remove(*this);
-    stream_.put_back(beast::buffers_to_string(buffer_.data())); // frames may follow at once
+    no_deadline();
+    stream_->put_back(beast::buffers_to_string(buffer_.data())); // frames may follow at once
     serve_websocket(std::move(stream_), request, admitted, services_, std::move(permit_));
 }
 
@@ -311,7 +336,6 @@ void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool
         spdlog::debug("event=refused client={} status={}", permit_->number(), response.status);
     }
     gone_.reset();
-    waiting_.cancel();
     answer_ = response;
     response_.emplace();
     response_->result(response.status);
@@ -338,13 +362,13 @@ void HttpConnection::respond(const HttpResponse& response, bool keep_alive, bool
 
 /// A large file may take long; the deadline is for a client that takes nothing.
 void HttpConnection::write() {
-    stream_.expires_after(limits::stalled);
-    http::async_write_some(stream_, *serializer_,
+    expires_after(limits::stalled);
+    http::async_write_some(*stream_, *serializer_,
                            [self = shared_from_this()](error_code error, std::size_t) {
-                               if (error && self->stream_.timed_out())
+                               if (error && self->timed_out_)
                                    self->services_.metrics.reject(Rejection::Stalled);
                                if (error)
-                                   return self->stream_.close();
+                                   return self->stream_->close();
                                if (!self->serializer_->is_done())
                                    return self->write();
                                self->written();
@@ -359,16 +383,12 @@ void HttpConnection::written() {
     if (pause.count() == 0)
         return await_request(limits::idle);
     services_.metrics.reject(Rejection::RateLimited);
-    stream_.expires_never();
-    waiting_.expires_after(pause);
-    waiting_.async_wait([self = shared_from_this()](error_code error) {
-        if (!error)
-            self->await_request(limits::idle);
-    });
+    after(pause, [self = shared_from_this()] { self->await_request(limits::idle); });
 }
 
 void HttpConnection::end() {
-    stream_.async_end([self = shared_from_this()](error_code) {});
+    no_deadline();
+    stream_->async_end([self = shared_from_this()](error_code) {});
 }
 
 } // namespace

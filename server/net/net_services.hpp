@@ -18,7 +18,6 @@
 #include <memory>
 #include <set>
 #include <string>
-#include <utility>
 
 namespace wakesurf::server {
 
@@ -69,10 +68,12 @@ class Connection {
     virtual void go_away() = 0;
     /// Ends without waiting for the peer.
     virtual void abandon() = 0;
+
     /// Sends a message if this is a WebSocket.
-    virtual void announce(const std::string& message) = 0;
+    virtual void announce(const std::string&) {}
+
     /// Closes if this is a WebSocket that came by a login of `person`, which has ended.
-    virtual void log_out(const std::string& person) = 0;
+    virtual void log_out(const std::string& person [[maybe_unused]]) {}
 };
 
 /// Holds the open connections. Loop thread only.

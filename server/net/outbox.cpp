@@ -87,8 +87,8 @@ FrameCursor* Outbox::cursor(std::uint32_t surface) {
     return found == cursors_.end() ? nullptr : &found->second;
 }
 
-std::optional<Outbox::Item> Outbox::pop() {
-    if (auto message = pop_message())
+std::optional<Outbox::Item> Outbox::pop(bool frames) {
+    if (auto message = pop_message(); message || !frames)
         return message;
     if (Frame frame = pop_frame())
         return frame;

@@ -93,7 +93,8 @@ class Outbox {
 
     /// Returns the next item: messages before frames, so that no answer waits for a large mesh; surfaces
     /// alternate. The cursors' notices may push messages meanwhile.
-    std::optional<Item> pop();
+    /// @param frames  false: messages only
+    std::optional<Item> pop(bool frames = true);
 
     /// Marks all popped items as written.
     void sent();

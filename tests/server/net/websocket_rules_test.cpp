@@ -38,6 +38,43 @@ TEST_F(WebSocketRules, TakeFramesThatComeWithTheHandshake) {
     }
 }
 
+TEST_F(WebSocketRules, PutEachLengthBehindTheHeaderThatSaysIt) {
+    WebSocketClient client(*server_, "");
+    const auto answer = [&](const std::string& method, std::size_t id) {
+        client.send({{"jsonrpc", "2.0"}, {"method", method}, {"id", std::string(id, 'i')}});
+        return client.receive().payload;
+    };
+    for (const auto& [method, size] : {std::pair{"server.ping", 125u},
+                                       {"server.ping", 126u},
+                                       {"no.method", 65535u},
+                                       {"no.method", 65536u}}) {
+        const std::size_t id = size - answer(method, 0).size();
+        const std::string payload = answer(method, id);
+        EXPECT_EQ(payload.size(), size);
+        EXPECT_EQ(json::parse(payload)["id"], std::string(id, 'i'));
+    }
+}
+
+TEST_F(WebSocketRules, SayWhatAnEventGivesAClientBeforeItsFrames) {
+    WebSocketClient client(*server_);
+    const json rake = client.result(
+        "rake.set", {{"kind", "line"}, {"points", {{1, 1, 1}, {2, 2, 2}}}, {"seeds", 8}});
+    const json surface = client.result(
+        "surface.set",
+        {{"rake", rake["rake"]}, {"kind", "stream"}, {"dataset", "abc"}, {"from", 0}, {"to", 1}});
+    client.result("surface.wait", {{"surface", surface["surface"]}, {"timeoutMs", 60000}});
+    client.send({{"jsonrpc", "2.0"},
+                 {"id", "subscribe"},
+                 {"method", "surface.subscribe"},
+                 {"params", {{"surface", surface["surface"]}}}});
+    bool answered = false;
+    for (auto message = client.receive(); message.opcode != binary; message = client.receive()) {
+        ASSERT_EQ(message.opcode, text);
+        answered = answered || json::parse(message.payload).value("id", "") == "subscribe";
+    }
+    EXPECT_TRUE(answered);
+}
+
 TEST_F(WebSocketRules, EndTheConnectionOfWhoeverPingsWithoutEnd) {
     WebSocketClient client(*server_, "");
     const json link = client.result("session.share", {{"session", "main"}, {"role", "viewer"}});
