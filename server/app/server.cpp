@@ -11,7 +11,7 @@
 #include "server/net/http_connection.hpp"
 #include "server/net/io_loop.hpp"
 #include "server/net/listener.hpp"
-#include "server/net/login_store.hpp"
+#include "server/net/logins.hpp"
 #include "server/net/methods/dataset_answers.hpp"
 #include "server/net/methods/family_jobs.hpp"
 #include "server/net/methods/import_waiters.hpp"
@@ -102,7 +102,7 @@ struct Server::Inputs {
     asio::io_context context{1};
     IoLoop loop{context};
     std::optional<WriteBehindFile> ended_logins; ///< with `--state`
-    std::optional<LoginStore> logins;            ///< with `--state`
+    std::optional<Logins> logins;                ///< with `--state`
     std::function<void(asio::ip::tcp::socket)> accepted;
     std::shared_ptr<Listener> listener; ///< calls `accepted`, once it is started
     std::function<void(const std::string& dataset)> changed;
@@ -111,15 +111,14 @@ struct Server::Inputs {
 
 core::Result<void> Server::Inputs::open(const ServerOptions& options) {
     if (kept) {
-        ended_logins.emplace(loop, kept->folder.path() / LoginStore::ended_name);
-        auto found =
-            LoginStore::open(kept->folder.path(), entropy,
-                             [this](LoginStore::To to, std::string text, LoginStore::Done done) {
-                                 if (to == LoginStore::To::Append)
-                                     ended_logins->append(std::move(text), std::move(done));
-                                 else
-                                     ended_logins->put(std::move(text), std::move(done));
-                             });
+        ended_logins.emplace(loop, kept->folder.path() / Logins::ended_name);
+        auto found = Logins::open(kept->folder.path(), entropy,
+                                  [this](Logins::To to, std::string text, Logins::Done done) {
+                                      if (to == Logins::To::Append)
+                                          ended_logins->append(std::move(text), std::move(done));
+                                      else
+                                          ended_logins->put(std::move(text), std::move(done));
+                                  });
         if (!found)
             return tl::unexpected(found.error());
         logins.emplace(std::move(*found));

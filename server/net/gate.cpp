@@ -107,14 +107,13 @@ Gate::Gate(GateOptions options,
            const Grants& grants,
            Metrics* metrics)
     : options_(std::move(options)), token_(secret_digest(options_.token)),
-      own_(options_.kept == nullptr ? std::optional<LoginStore>(std::in_place, entropy)
-                                    : std::nullopt),
-      logins_({entropy, options_.unix_time,
-               [this](const std::string& grant) {
-                   return grant.empty() ? std::optional(token_) : grants_.digest(grant);
-               },
-               own_ ? *own_ : *options_.kept}),
-      grants_(grants),
+      own_(options_.logins == nullptr
+               ? std::optional<Logins>(std::in_place, entropy, options_.unix_time)
+               : std::nullopt),
+      logins_(own_ ? *own_ : *options_.logins), grants_(grants),
+      secrets_([this](const std::string& grant) {
+          return grant.empty() ? std::optional(token_) : grants_.digest(grant);
+      }),
       wrong_tokens_(limits::wrong_tokens_per_second, limits::wrong_tokens_at_once, clock),
       strangers_(limits::strangers_per_second, limits::strangers_at_once, clock),
       metrics_(metrics) {
@@ -162,7 +161,7 @@ bool Gate::is_host(const HttpRequest& header) {
 
 bool Gate::still(const Visitor& visitor) const {
     const auto login = login_of(visitor.person);
-    return (!login || logins_.lasts(visitor.grant, *login)) &&
+    return !(login && logins_.ended(visitor.grant, *login)) &&
            holder_of_grant(visitor.grant).has_value();
 }
 
@@ -220,7 +219,7 @@ std::optional<Visitor> Gate::visitor_of(const HttpRequest& request) const {
         return std::nullopt;
     if (auto identity = holder_of(*secret))
         return Visitor(std::move(*identity), request.from);
-    if (const auto login = logins_.find(*secret))
+    if (const auto login = logins_.find(*secret, secrets_))
         if (auto identity = holder_of_grant(login->grant))
             return Visitor(std::move(*identity), person_of(*login));
     return std::nullopt;
@@ -275,22 +274,22 @@ HttpResponse Gate::wrong_token(const std::string& from) {
 
 tl::expected<Gate::LoggedIn, HttpResponse> Gate::login(const HttpRequest& request,
                                                        const LoginWish& wish) {
-    const auto had = wish.login ? logins_.find(*wish.login) : std::nullopt;
+    const auto had = wish.login ? logins_.find(*wish.login, secrets_) : std::nullopt;
     const auto grant = wish.token && !options_.token.empty() ? holder_of(*wish.token)
                        : options_.token.empty()              ? std::optional(Identity{})
                        : had                                 ? holder_of_grant(had->grant)
                                                              : std::nullopt;
     if (!grant)
         return tl::unexpected(wrong_token(request.from));
-    if (had && had->grant == grant->grant)
-        if (auto renewed = logins_.renew(*wish.login))
-            return LoggedIn{std::move(*renewed), *grant};
-    return LoggedIn{logins_.make(grant->grant), *grant};
+    const SecretDigest secret = secrets_(grant->grant).value_or(SecretDigest{});
+    const bool same = had && had->grant == grant->grant;
+    return LoggedIn{same ? logins_.renew(*had, secret) : logins_.make(grant->grant, secret),
+                    *grant};
 }
 
-std::string Gate::logout(const HttpRequest& request, LoginStore::Done kept) {
+std::string Gate::logout(const HttpRequest& request, Logins::Done kept) {
     const auto secret = shown_secret(request);
-    const auto login = secret ? logins_.end(*secret, kept) : std::nullopt;
+    const auto login = secret ? logins_.end(*secret, secrets_, kept) : std::nullopt;
     if (!login)
         kept({});
     return login ? person_of(*login) : std::string();

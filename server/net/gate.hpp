@@ -28,7 +28,7 @@ struct GateOptions {
     std::uint16_t port = 0;
     std::vector<std::string> origins; ///< further ones, exact: https://viewer.example
     bool tls = false;                 ///< the server's own origins are https
-    LoginStore* kept = nullptr;       ///< null: logins end with the server
+    Logins* logins = nullptr;         ///< null: logins end with the server
     UnixTime unix_time = unix_seconds;
 };
 
@@ -82,7 +82,7 @@ class Gate {
 
     /// Ends the login that is shown. `kept` is called, now or later, once a restarted server will know it;
     /// without a login, at once. @returns  Visitor::person of the login; empty: none
-    std::string logout(const HttpRequest& request, LoginStore::Done kept);
+    std::string logout(const HttpRequest& request, Logins::Done kept);
 
   private:
     tl::expected<Visitor, HttpResponse> check_token(const HttpRequest& request);
@@ -97,9 +97,10 @@ class Gate {
 
     GateOptions options_;
     SecretDigest token_;
-    std::optional<LoginStore> own_; ///< used without a state folder
-    Logins logins_;
+    std::optional<Logins> own_; ///< used without a state folder
+    Logins& logins_;
     const Grants& grants_;
+    Logins::Secrets secrets_;
     std::vector<std::string> hosts_;
     std::vector<std::string> origins_;
     AddressRates wrong_tokens_;

@@ -5,6 +5,11 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <list>
+#include <map>
+#include <mutex>
 #include <new>
 #include <optional>
 #include <utility>
@@ -12,6 +17,9 @@
 
 namespace wakesurf::server {
 
+namespace {
+
+/// Counts a file's memory until its last reader releases it.
 File counted_file(std::string bytes, core::MemoryAccount::Share share) {
     struct Counted {
         std::string bytes;
@@ -22,61 +30,58 @@ File counted_file(std::string bytes, core::MemoryAccount::Share share) {
     return {counted, &counted->bytes};
 }
 
-FileCache::FileCache(const core::MemoryAccount* account, std::size_t bytes, std::size_t count)
-    : most_bytes_(bytes), most_(count) {
-    if (account != nullptr)
-        asked_ =
-            account->on_need(core::ReclaimOrder::Downloads,
-                             [state = state_](std::size_t wanted) { state->give_back(wanted); });
-}
-
-File FileCache::State::drop_last() {
-    File last = std::move(entries.back().file);
-    bytes -= last->size();
-    entries.pop_back();
-    return last;
-}
-
-/// A file that is still being read is released by its last reader.
-void FileCache::State::give_back(std::size_t wanted) {
-    std::vector<File> gone;
-    std::size_t free = 0;
-    const std::lock_guard lock(mutex);
-    while (!entries.empty() && free < wanted) {
-        const bool read = entries.back().file.use_count() > 1;
-        gone.push_back(drop_last());
-        free += read ? 0 : gone.back()->size();
+/// Finished files, the most recently used first. Thread-safe: any thread may need memory.
+class FileCache {
+  public:
+    File find(const std::string& tag) {
+        const std::lock_guard lock(mutex_);
+        const auto found = std::ranges::find(entries_, tag, &Entry::tag);
+        if (found == entries_.end())
+            return nullptr;
+        entries_.splice(entries_.begin(), entries_, found);
+        return found->file;
     }
-}
 
-File FileCache::find(const std::string& tag) {
-    const std::lock_guard lock(state_->mutex);
-    auto& entries = state_->entries;
-    for (auto each = entries.begin(); each != entries.end(); ++each)
-        if (each->tag == tag) {
-            entries.splice(entries.begin(), entries, each);
-            return each->file;
+    void keep(const std::string& tag, File file) {
+        std::vector<File> gone; // destroyed outside of the lock
+        const std::lock_guard lock(mutex_);
+        if (file->size() > limits::kept_download_bytes)
+            return;
+        bytes_ += file->size();
+        entries_.push_front({tag, std::move(file)});
+        while (bytes_ > limits::kept_download_bytes || entries_.size() > limits::kept_downloads)
+            gone.push_back(drop_last());
+    }
+
+    /// A file that is still being read is released by its last reader.
+    void give_back(std::size_t wanted) {
+        std::vector<File> gone;
+        std::size_t free = 0;
+        const std::lock_guard lock(mutex_);
+        while (!entries_.empty() && free < wanted) {
+            const bool read = entries_.back().file.use_count() > 1;
+            gone.push_back(drop_last());
+            free += read ? 0 : gone.back()->size();
         }
-    return nullptr;
-}
+    }
 
-void FileCache::keep(const std::string& tag, File file) {
-    std::vector<File> gone;
-    const std::lock_guard lock(state_->mutex);
-    if (file->size() > most_bytes_)
-        return;
-    state_->bytes += file->size();
-    state_->entries.push_front({tag, std::move(file)});
-    while (state_->bytes > most_bytes_ || state_->entries.size() > most_)
-        gone.push_back(state_->drop_last());
-}
+  private:
+    struct Entry {
+        std::string tag;
+        File file;
+    };
 
-std::size_t FileCache::bytes() const {
-    const std::lock_guard lock(state_->mutex);
-    return state_->bytes;
-}
+    File drop_last() {
+        File last = std::move(entries_.back().file);
+        bytes_ -= last->size();
+        entries_.pop_back();
+        return last;
+    }
 
-namespace {
+    std::mutex mutex_;
+    std::list<Entry> entries_;
+    std::size_t bytes_ = 0;
+};
 
 struct Waiter {
     SharedFiles::Done done;
@@ -95,7 +100,13 @@ struct SharedFiles::State {
     Loop& loop;
     ComputePool& pool;
     const core::MemoryAccount* account;
-    FileCache kept;
+    const std::shared_ptr<FileCache> kept = std::make_shared<FileCache>();
+    /// The registration for reclaiming memory; null: it is never reclaimed.
+    std::shared_ptr<void> asked =
+        account == nullptr
+            ? nullptr
+            : account->on_need(core::ReclaimOrder::Downloads,
+                               [cache = kept](std::size_t wanted) { cache->give_back(wanted); });
     std::map<std::string, std::shared_ptr<Flight>> flights{}; ///< by tag
     std::uint64_t next = 0;
 
@@ -118,7 +129,7 @@ struct SharedFiles::State {
         if (const auto found = flights.find(tag); found != flights.end() && found->second == flight)
             flights.erase(found);
         if (file)
-            kept.keep(tag, *file);
+            kept->keep(tag, *file);
         for (auto& [ticket, waiter] : std::exchange(flight->waiters, {})) {
             waiter.gone.reset();
             waiter.done(file);
@@ -127,8 +138,7 @@ struct SharedFiles::State {
 };
 
 SharedFiles::SharedFiles(Loop& loop, ComputePool& pool, const core::MemoryAccount* account)
-    : state_(new State{
-          loop, pool, account, {account, limits::kept_download_bytes, limits::kept_downloads}}) {}
+    : state_(new State{loop, pool, account}) {}
 
 SharedFiles::~SharedFiles() {
     for (auto& [tag, flight] : std::exchange(state_->flights, {})) {
@@ -146,7 +156,7 @@ void SharedFiles::get(const std::string& tag,
                       Make make,
                       const std::stop_token& gone,
                       Done done) {
-    if (const File kept = state_->kept.find(tag))
+    if (const File kept = state_->kept->find(tag))
         return done(kept);
     auto& flight = state_->flights[tag];
     const bool first = !flight;

@@ -2,7 +2,7 @@
 #include "server/base/private_file.hpp"
 #include "server/base/write_behind_file.hpp"
 #include "server/net/gate.hpp"
-#include "server/net/login_store.hpp"
+#include "server/net/logins.hpp"
 #include "tests/support/server/hand_clock.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace wakesurf::server::login_store_test {
+namespace wakesurf::server::logins_test {
 
 namespace {
 
@@ -28,17 +28,15 @@ constexpr std::int64_t day = 24 * 3600;
 struct Life {
     Life(const fs::path& folder, HandClock& clock, const std::int64_t& wall, std::string secret)
         : loop(clock), grants({loop, clock, entropy, [&wall] { return wall; }}),
-          kept(*LoginStore::open(
+          kept(*Logins::open(
               folder,
               entropy,
-              [this,
-               folder](LoginStore::To to, const std::string& text, const LoginStore::Done& done) {
+              [this, folder](Logins::To to, const std::string& text, const Logins::Done& done) {
                   ++writes;
                   bytes += text.size();
                   const auto write =
-                      to == LoginStore::To::Append ? append_private_file : write_private_file;
-                  done(to_disk ? write(folder / LoginStore::ended_name, text)
-                               : core::Result<void>());
+                      to == Logins::To::Append ? append_private_file : write_private_file;
+                  done(to_disk ? write(folder / Logins::ended_name, text) : core::Result<void>());
               },
               [&wall] { return wall; })),
           gate({std::move(secret), "127.0.0.1", 8080, {}, false, &kept, [&wall] { return wall; }},
@@ -52,7 +50,7 @@ struct Life {
     SystemEntropy entropy;
     HandLoop loop;
     Grants grants;
-    LoginStore kept;
+    Logins kept;
     Gate gate;
 };
 
@@ -220,8 +218,8 @@ TEST_F(KeptLoginsTest, AreEndedOneByOneSoThatOneWhoLogsOutOftenEndsNoOthers) {
     const std::string stays = login(link->key);
     ASSERT_TRUE(log_out(out));
     life->to_disk = false;
-    for (std::size_t i = 0; i < LoginStore::most_ended + 10; ++i)
-        life->kept.end(link->grant.id, std::to_string(i), wall + static_cast<std::int64_t>(i),
+    for (std::size_t i = 0; i < Logins::most_ended + 10; ++i)
+        life->kept.end({std::to_string(i), wall + static_cast<std::int64_t>(i), 0, link->grant.id},
                        [](const core::Result<void>&) {});
     EXPECT_TRUE(good(host));
     EXPECT_TRUE(good(stays));
@@ -237,21 +235,21 @@ TEST_F(KeptLoginsTest, AreEndedOneByOneSoThatOneWhoLogsOutOftenEndsNoOthers) {
 TEST_F(KeptLoginsTest, AreWrittenOneByOneHoweverManyHaveEnded) {
     start();
     const auto end = [this](std::size_t i) {
-        life->kept.end("link", std::string(28, 'x') + std::to_string(1000 + i), wall,
+        life->kept.end({std::string(28, 'x') + std::to_string(1000 + i), wall, 0, "link"},
                        [](const core::Result<void>& done) { EXPECT_TRUE(done); });
     };
     life->to_disk = false; // a sync each takes long
-    for (std::size_t i = 0; i < LoginStore::most_ended; ++i)
+    for (std::size_t i = 0; i < Logins::most_ended; ++i)
         end(i);
     life->to_disk = true;
     const std::size_t before = life->bytes;
     constexpr std::size_t more = 20;
     for (std::size_t i = 0; i < more; ++i)
-        end(LoginStore::most_ended + i);
+        end(Logins::most_ended + i);
     EXPECT_LT(life->bytes - before, more * 100);
     life->to_disk = false;
-    for (std::size_t i = 0; i < 3 * LoginStore::most_ended; ++i)
-        end(2 * LoginStore::most_ended + i);
+    for (std::size_t i = 0; i < 3 * Logins::most_ended; ++i)
+        end(2 * Logins::most_ended + i);
     EXPECT_LT(life->bytes / static_cast<std::size_t>(life->writes), 200u)
         << "the whole of them is written seldom";
 }
@@ -335,10 +333,10 @@ TEST(WriteBehindFile, AddsToTheTextInTheOrderOfTheCalls) {
 TEST_F(KeptLoginsTest, SayWhatIsWrongWithAKeyThatIsNone) {
     std::ofstream(folder.path() / "login-key") << "short\n";
     SystemEntropy entropy;
-    const auto kept = LoginStore::open(folder.path(), entropy, {});
+    const auto kept = Logins::open(folder.path(), entropy, {});
     ASSERT_FALSE(kept);
     EXPECT_EQ(kept.error().code, core::Error::Code::Corrupt);
     EXPECT_EQ(kept.error().message.find(folder.path().string()), std::string::npos);
 }
 
-} // namespace wakesurf::server::login_store_test
+} // namespace wakesurf::server::logins_test
