@@ -50,6 +50,13 @@ class Flow {
         return std::nullopt;
     }
 
+    /// Returns the same field with every `stride`-th of its stored times, counted from the one before `from` both
+    /// ways, and the first and the last; between them it is interpolated. Null for closed forms. It shares what
+    /// is in memory, and may outlive this.
+    virtual std::shared_ptr<const Flow> thinned(std::size_t /*stride*/, double /*from*/) const {
+        return nullptr;
+    }
+
     /// Returns the finest detail of the field, in units of length: the node spacing, or 1/100 of the shortest
     /// side for closed forms.
     virtual double finest_spacing() const = 0;

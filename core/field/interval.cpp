@@ -1,5 +1,8 @@
 #include "core/field/interval.hpp"
 
+#include <numeric>
+#include <utility>
+
 namespace wakesurf::core {
 
 namespace {
@@ -12,10 +15,18 @@ constexpr std::size_t tight = 8;
 
 } // namespace
 
-Intervals::Intervals(std::shared_ptr<TimeStepCache> cache)
-    : cache_(std::move(cache)),
+Intervals::Intervals(std::shared_ptr<TimeStepCache> cache, std::vector<std::size_t> steps)
+    : cache_(std::move(cache)), steps_(std::move(steps)),
       tight_(!cache_->bricks() &&
-             cache_->status().budget < tight * cache_->source().bytes_per_step()) {}
+             cache_->status().budget < tight * cache_->source().bytes_per_step()) {
+    const std::vector<double>& all = cache_->source().times();
+    if (steps_.empty()) {
+        steps_.resize(all.size());
+        std::iota(steps_.begin(), steps_.end(), std::size_t{0});
+    }
+    for (const std::size_t step : steps_)
+        times_.push_back(all[step]);
+}
 
 Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_token& stop) const {
     Result<Interval> got;
@@ -49,11 +60,11 @@ Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_
 Result<Interval>
 Intervals::try_acquire(std::size_t k, Needs needs, const std::stop_token& stop) const {
     Interval interval;
-    const std::size_t count = cache_->source().times().size();
+    const std::size_t count = steps_.size();
     std::size_t held = 0;
     const auto take = [&](std::size_t index,
                           std::shared_ptr<const TimeStep>& place) -> Result<void> {
-        auto step = cache_->acquire(index, stop, held);
+        auto step = cache_->acquire(steps_[index], stop, held);
         if (!step)
             return tl::unexpected(step.error());
         place = std::move(*step);

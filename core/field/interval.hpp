@@ -13,6 +13,7 @@
 #include <mutex>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 namespace wakesurf::core {
 
@@ -34,9 +35,17 @@ class Intervals {
         Four, ///< both ends and their neighbours: cubic in time
     };
 
-    explicit Intervals(std::shared_ptr<TimeStepCache> cache);
+    /// @param steps  the time-steps of the series that count, ascending: others are skipped, and the field is
+    /// interpolated between these; empty: all
+    explicit Intervals(std::shared_ptr<TimeStepCache> cache, std::vector<std::size_t> steps = {});
 
-    /// Returns the interval [times[k], times[k+1]]; REQUIRES that the caller owns none. Callers that between
+    /// Returns the times of the steps that count.
+    const std::vector<double>& times() const { return times_; }
+
+    /// Returns the number of the k-th step that counts in the series.
+    std::size_t step(std::size_t k) const { return steps_[k]; }
+
+    /// Returns the interval [times()[k], times()[k + 1]]; REQUIRES that the caller owns none. Callers that between
     /// them hold what each still wants release it, and take turns; in a small cache they do so from the
     /// start. Error: as TimeStepCache::acquire.
     Result<Interval> acquire(std::size_t k, Needs needs, const std::stop_token& stop) const;
@@ -45,6 +54,8 @@ class Intervals {
     Result<Interval> try_acquire(std::size_t k, Needs needs, const std::stop_token& stop) const;
 
     std::shared_ptr<TimeStepCache> cache_;
+    std::vector<std::size_t> steps_;
+    std::vector<double> times_;
     bool tight_;
     mutable std::mutex mutex_;
     mutable EventCount turn_over_;

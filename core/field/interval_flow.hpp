@@ -25,21 +25,23 @@ class IntervalFlow final : public Flow {
     static constexpr std::size_t small_data_bytes = std::size_t{4} << 30;
 
   public:
+    /// @param steps  as of Intervals
     IntervalFlow(std::shared_ptr<TimeStepCache> cache,
                  std::shared_ptr<const Clock> clock,
-                 std::unique_ptr<const Sampling> sampling)
-        : cache_(std::move(cache)), intervals_(cache_), clock_(std::move(clock)),
+                 std::shared_ptr<const Sampling> sampling,
+                 std::vector<std::size_t> steps = {})
+        : cache_(std::move(cache)), intervals_(cache_, std::move(steps)), clock_(std::move(clock)),
           source_(cache_->source()), sampling_(std::move(sampling)),
           domain_(bounds(source_.grid())), finest_(core::finest_spacing(source_.grid())) {}
 
     Box domain() const override { return domain_; }
 
     std::optional<std::array<double, 2>> time_range() const override {
-        return std::array{source_.times().front(), source_.times().back()};
+        return std::array{intervals_.times().front(), intervals_.times().back()};
     }
 
     std::optional<double> next_stored_time(double time, double sign) const override {
-        const std::vector<double>& times = source_.times();
+        const std::vector<double>& times = intervals_.times();
         if (stands_still())
             return std::nullopt;
         if (sign > 0.0) {
@@ -48,6 +50,16 @@ class IntervalFlow final : public Flow {
         }
         const auto here = std::lower_bound(times.begin(), times.end(), time);
         return here == times.begin() ? std::nullopt : std::optional(*std::prev(here));
+    }
+
+    std::shared_ptr<const Flow> thinned(std::size_t stride, double from) const override {
+        const std::size_t count = intervals_.times().size();
+        const std::size_t phase = interval_at(from) % stride;
+        std::vector<std::size_t> steps;
+        for (std::size_t k = 0; k < count; ++k)
+            if (k % stride == phase || k == 0 || k + 1 == count)
+                steps.push_back(intervals_.step(k));
+        return std::make_shared<IntervalFlow>(cache_, clock_, sampling_, std::move(steps));
     }
 
     double finest_spacing() const override { return finest_; }
@@ -79,7 +91,7 @@ class IntervalFlow final : public Flow {
                               double to,
                               const AdvanceOptions& options,
                               std::stop_token stop) const override {
-        const std::vector<double>& times = source_.times();
+        const std::vector<double>& times = intervals_.times();
         TraceCost cost;
         double from = to;
         int direction = 0;
@@ -134,7 +146,7 @@ class IntervalFlow final : public Flow {
 
     bool few_data(double from, double to) const override {
         // From the last time-step that is not later than both to the first that is not earlier.
-        const std::vector<double>& times = source_.times();
+        const std::vector<double>& times = intervals_.times();
         const auto first = std::upper_bound(times.begin(), times.end(), std::min(from, to));
         const auto last = std::lower_bound(times.begin(), times.end(), std::max(from, to));
         const auto before = first - times.begin() - (first == times.begin() ? 0 : 1);
@@ -191,7 +203,7 @@ class IntervalFlow final : public Flow {
         if constexpr (requires { &Sampling::sample_at; }) {
             const std::size_t k = interval_at(time);
             const auto held =
-                intervals_.acquire(k, steps_needed(time > source_.times()[k], smoothly), stop);
+                intervals_.acquire(k, steps_needed(time > intervals_.times()[k], smoothly), stop);
             if (!held)
                 return tl::unexpected(held.error());
             if (sampling_->sample_at(*held, positions, time, velocities, smoothly, stop))
@@ -283,7 +295,7 @@ class IntervalFlow final : public Flow {
         const std::size_t k = interval_at(times[index(0)]);
         bool later = false;
         for (std::size_t i = 0; i < count; ++i)
-            later = later || times[index(i)] > source_.times()[k];
+            later = later || times[index(i)] > intervals_.times()[k];
         return intervals_.acquire(k, steps_needed(later, smoothly), stop);
     }
 
@@ -376,7 +388,7 @@ class IntervalFlow final : public Flow {
 
     /// Index k of the interval [times[k], times[k+1]] a time falls into; the last one takes the end.
     std::size_t interval_at(double time) const {
-        const std::vector<double>& times = source_.times();
+        const std::vector<double>& times = intervals_.times();
         const auto after = std::upper_bound(times.begin(), times.end(), time);
         const auto index =
             static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - times.begin() - 1, 0));
@@ -384,7 +396,7 @@ class IntervalFlow final : public Flow {
     }
 
     /// True of one stored time.
-    bool stands_still() const { return source_.times().size() < 2; }
+    bool stands_still() const { return intervals_.times().size() < 2; }
 
     Intervals::Needs steps_needed(bool both, bool smoothly) const {
         return !both || stands_still() ? Intervals::Needs::First
@@ -396,7 +408,7 @@ class IntervalFlow final : public Flow {
     /// it.
     Result<Interval>
     frozen_interval(double time, bool smoothly, const std::stop_token& stop) const {
-        const std::vector<double>& times = source_.times();
+        const std::vector<double>& times = intervals_.times();
         const auto stored = std::find(times.begin(), times.end(), time);
         return stored != times.end()
                    ? intervals_.acquire(static_cast<std::size_t>(stored - times.begin()),
@@ -406,11 +418,12 @@ class IntervalFlow final : public Flow {
 
     /// Loads ahead of what interval `k` holds, which stays: the next step may be in the same interval.
     void prefetch(std::size_t k, int direction, bool smoothly) const {
-        const std::size_t last = source_.times().size() - 1;
+        const std::size_t last = intervals_.times().size() - 1;
         const std::size_t beyond = smoothly ? 1 : 0;
         const std::size_t low = k - std::min(k, beyond);
         const std::size_t high = std::min(k + 1 + beyond, last);
-        cache_->prefetch(direction > 0 ? high : low, direction, high - low);
+        const std::size_t first = intervals_.step(low), behind = intervals_.step(high);
+        cache_->prefetch(direction > 0 ? behind : first, direction, behind - first);
     }
 
     Result<void> advance(const Interval& interval,
@@ -432,11 +445,11 @@ class IntervalFlow final : public Flow {
                                      int direction,
                                      const std::stop_token& stop) const {
         const std::size_t near =
-            std::min(direction > 0 ? interval : interval + 1, source_.times().size() - 1);
+            std::min(direction > 0 ? interval : interval + 1, intervals_.times().size() - 1);
         const bool broken = error.code == Error::Code::Corrupt || error.code == Error::Code::Io ||
                             error.code == Error::Code::NotFound;
         if (broken && intervals_.acquire(near, Intervals::Needs::First, stop))
-            error.readable_until = source_.times()[near];
+            error.readable_until = intervals_.times()[near];
         return tl::unexpected(std::move(error));
     }
 
@@ -445,7 +458,7 @@ class IntervalFlow final : public Flow {
                                       const TraceOptions& options,
                                       int direction,
                                       const std::stop_token& stop) const {
-        const std::vector<double>& times = source_.times();
+        const std::vector<double>& times = intervals_.times();
         TraceCost cost;
         const double release = curves.front().release;
         auto k = static_cast<std::ptrdiff_t>(interval_at(release));
@@ -485,7 +498,7 @@ class IntervalFlow final : public Flow {
     Intervals intervals_;
     std::shared_ptr<const Clock> clock_;
     const TimeStepSource& source_;
-    std::unique_ptr<const Sampling> sampling_;
+    std::shared_ptr<const Sampling> sampling_;
     Box domain_;
     double finest_;
 };

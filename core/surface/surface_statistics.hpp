@@ -35,6 +35,14 @@ struct Emptiness {
     bool natural() const { return reason == Reason::AllLeft || reason == Reason::NothingYet; }
 };
 
+/// Sums up the errors of a surface's vertices that come from interpolating between stored times.
+struct StatedIntervalError {
+    /// A length: 99 % of the vertices that are resolved have no larger error.
+    double error99 = 0.0;
+    /// The share of the traced vertices for which the stored times are too far apart to say more.
+    double unresolved = 0.0;
+};
+
 /// Counts and times of a surface, for programs and people.
 struct SurfaceStatistics {
     /// Particles released from the rake's seeds, by what ended them; of a surface that moves its vertices,
@@ -82,6 +90,12 @@ struct SurfaceStatistics {
     double requested_separation = 0;    ///< the one asked for
     Seconds seconds;                    ///< what it took
     std::optional<StatedError> error{}; ///< nothing: none was estimated
+    /// Nothing: not estimated, for the reason in interval_left_out.
+    std::optional<StatedIntervalError> interval_error{};
+    /// The stored interval at which 99 % of the vertices would be within the separation; nothing where that
+    /// cannot be said.
+    std::optional<double> advised_interval{};
+    std::string interval_left_out{}; ///< why there is no interval_error; empty: nobody asked for it
     /// The time at which the data begin, if that cuts the backward side of a path surface of both directions
     /// short.
     std::optional<double> data_end{};

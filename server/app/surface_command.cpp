@@ -1,5 +1,6 @@
 #include "core/base/machine_memory.hpp"
 #include "core/surface/budget_search.hpp"
+#include "core/surface/builder/interval_errors.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
@@ -137,6 +138,29 @@ core::Result<BuiltSurface> build(const std::string& dataset,
         });
 }
 
+/// Estimates the error between stored times; statistics then have it, or why it is left out.
+void state_interval_errors(BuiltSurface& built,
+                           const core::SurfacePlan& plan,
+                           const SurfaceOptions& options,
+                           const core::MemoryAccount& account,
+                           const std::stop_token& stop) {
+    std::string& left_out = built.surface.statistics.interval_left_out;
+    left_out = built.cut_short ? "the time limit was over" : core::no_interval_errors(plan);
+    if (!left_out.empty())
+        return;
+    const ElapsedLine progress("estimating the error between stored times");
+    const int used = options.threads > 0 ? options.threads
+                                         : static_cast<int>(std::thread::hardware_concurrency());
+    tbb::task_arena arena(used);
+    core::WorkMemory memory(account, stop, std::chrono::seconds(1),
+                            "the error between stored times");
+    const auto stated = arena.execute([&] {
+        return core::state_interval_errors(plan, built.surface, stop, {nullptr, &memory});
+    });
+    if (!stated)
+        left_out = stop.stop_requested() ? "it was stopped" : stated.error().message;
+}
+
 core::Result<std::string> file_of(protocol::MeshFormat format,
                                   const std::optional<protocol::LinesWanted>& wanted,
                                   const core::Surface& surface,
@@ -221,6 +245,21 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
              "wakesurf: {} of {} vertices are uncertain: the surface may be more than the "
              "separation away from them; --accuracy exact places them better\n",
              statistics.error->uncertain, statistics.vertices);
+    if (statistics.interval_error && statistics.interval_error->error99 > statistics.separation)
+        tell(stderr,
+             "wakesurf: between stored times: 99 % of the vertices within {:.2g}, more than the "
+             "separation{}\n",
+             statistics.interval_error->error99,
+             statistics.advised_interval
+                 ? fmt::format("; data every {:.2g} would bring it to {:.2g}",
+                               *statistics.advised_interval, statistics.separation)
+                 : "");
+    if (statistics.interval_error && statistics.interval_error->unresolved >= 0.1)
+        tell(stderr,
+             "wakesurf: {:.0f} % of the vertices are not resolved: the stored times are too far "
+             "apart "
+             "for them\n",
+             100.0 * statistics.interval_error->unresolved);
     if (!statistics.stopped.empty())
         tell(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
     if (statistics.data_end)
@@ -303,6 +342,7 @@ core::Result<void> make(const SurfaceOptions& options,
     core::Surface& surface = built->surface;
     const double processor_seconds =
         static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
+    state_interval_errors(*built, *plan, options, process.account(), limit.token());
     if (auto shown = tell_statistics(surface.statistics, built->cut_short); !shown)
         return shown;
     core::WorkMemory memory(process.account(), stop, std::chrono::seconds(1), "the surface's file");

@@ -46,6 +46,9 @@ void register_stream_surface_benchmarks();
 /// How far flat and tessellated cells are from the exact surface, on closed forms and on data.
 void register_tessellation_benchmarks(const std::shared_ptr<const server::LoadedDataset>& dataset);
 
+/// The error between stored times as predicted, beside the true one, on closed forms.
+void register_interval_error_benchmarks();
+
 /// 30 level sets of one field, one after the other, each to its frames.
 void register_level_benchmark();
 

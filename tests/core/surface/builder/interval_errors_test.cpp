@@ -1,0 +1,187 @@
+// The error between stored times, in a fluid that moves as one, where it is known.
+#include "core/field/function_flow.hpp"
+#include "core/field/stored_flow.hpp"
+#include "core/surface/builder/interval_errors.hpp"
+#include "core/surface/builder/surface_builder.hpp"
+#include "tests/support/sampled_source.hpp"
+#include "tests/support/value_of.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace wakesurf::core::interval_errors_test {
+
+namespace {
+
+constexpr double end = 4.0;
+
+UniformGrid grid() {
+    UniformGrid out;
+    out.origin = {-8, -4, -4};
+    out.spacing = Vec3(1.0);
+    out.dimensions = {33, 9, 9};
+    return out;
+}
+
+/// Moves along x at the speed of the time, and slowly along z.
+std::shared_ptr<const Flow> stored(const std::function<double(double)>& speed, int intervals) {
+    std::vector<double> times;
+    for (int k = 0; k <= intervals; ++k)
+        times.push_back(end * k / intervals);
+    return make_stored_flow(std::make_shared<TimeStepCache>(
+        std::make_shared<tests::SampledSource>(
+            grid(), std::move(times),
+            [speed](const Vec3&, double t) { return Vec3(speed(t), 0.0, 0.25); }),
+        TimeStepCache::Options{}));
+}
+
+SurfacePlan plan(std::shared_ptr<const Flow> flow, SurfaceKind kind) {
+    SurfaceParameters p;
+    p.kind = kind;
+    p.to = end;
+    p.separation = 0.25;
+    p.accuracy = Accuracy::Exact;
+    if (kind == SurfaceKind::Time)
+        p.sweep = Vec3(0.5, 0.0, 0.0);
+    return value_of(
+        plan_surface(std::move(flow), {Rake::Kind::Line, {{0, -1, 0}, {0, 1, 0}}, 5}, p));
+}
+
+double oscillating(double t) {
+    return 1.0 + std::sin(2.0 * t);
+}
+
+/// How far oscillating() carries a particle from one time to another.
+double way(double from, double to) {
+    return to - from - 0.5 * (std::cos(2.0 * to) - std::cos(2.0 * from));
+}
+
+/// When a vertex was released, and the time it is shown at.
+std::pair<double, double> ends(SurfaceKind kind, double t) {
+    return kind == SurfaceKind::Streak ? std::pair(t, end)
+           : kind == SurfaceKind::Path ? std::pair(0.0, t)
+                                       : std::pair(0.0, end);
+}
+
+constexpr std::array moving{SurfaceKind::Path, SurfaceKind::Streak, SurfaceKind::Time};
+
+} // namespace
+
+TEST(IntervalErrors, ComeNearerToTheTrueOnesWithTheSquareOfTheInterval) {
+    for (const SurfaceKind kind : moving) {
+        double before = 0.0;
+        for (const int intervals : {16, 32, 64}) {
+            const SurfacePlan asked = plan(stored(oscillating, intervals), kind);
+            const Surface surface = value_of(build_surface(asked));
+            const IntervalErrors errors = value_of(interval_errors(asked, surface, {}));
+            double off = 0.0, largest = 0.0;
+            for (std::size_t v = 0; v < surface.mesh.vertices(); ++v) {
+                if (std::isnan(errors.error[v]))
+                    continue;
+                const auto [from, to] = ends(kind, surface.mesh.t[v]);
+                const double start = kind == SurfaceKind::Time ? 0.5 * surface.mesh.t[v] : 0.0;
+                const double real = std::abs(surface.mesh.position[v].x - start - way(from, to));
+                off = std::max(off, std::abs(real - double{errors.error[v]}));
+                largest = std::max(largest, real);
+            }
+            EXPECT_GT(largest, 1e-4);
+            EXPECT_LT(off, largest);
+            if (before > 0.0)
+                EXPECT_LT(off, before / 3.0) << intervals;
+            before = off;
+        }
+    }
+}
+
+TEST(IntervalErrors, AreNoneWhereTheFlowIsLinearBetweenStoredTimes) {
+    for (const SurfaceKind kind : moving) {
+        const SurfacePlan asked = plan(stored([](double t) { return 0.5 + t; }, 16), kind);
+        const Surface surface = value_of(build_surface(asked));
+        const IntervalErrors errors = value_of(interval_errors(asked, surface, {}));
+        ASSERT_TRUE(errors.stated);
+        EXPECT_LT(errors.stated->error99, 1e-5);
+        EXPECT_EQ(errors.stated->unresolved, 0.0);
+    }
+}
+
+TEST(IntervalErrors, AdviseAnIntervalThatBringsThemToTheSeparation) {
+    const SurfacePlan asked = plan(stored(oscillating, 16), SurfaceKind::Streak);
+    const Surface surface = value_of(build_surface(asked));
+    const IntervalErrors coarse = value_of(interval_errors(asked, surface, {}));
+    ASSERT_TRUE(coarse.advised_interval);
+    EXPECT_DOUBLE_EQ(coarse.interval, end / 16);
+    const int intervals = static_cast<int>(std::lround(end / *coarse.advised_interval));
+    ASSERT_GE(intervals, 4);
+    const SurfacePlan advised = plan(stored(oscillating, intervals), SurfaceKind::Streak);
+    const Surface there = value_of(build_surface(advised));
+    double largest = 0.0;
+    for (std::size_t v = 0; v < there.mesh.vertices(); ++v)
+        largest = std::max(largest, std::abs(there.mesh.position[v].x - way(there.mesh.t[v], end)));
+    EXPECT_LT(largest, 2.0 * asked.parameters.separation);
+    EXPECT_GT(largest, 0.5 * asked.parameters.separation);
+}
+
+TEST(IntervalErrors, AreNotStatedWhereTheSeriesDoesNotResolveTheFlow) {
+    // About three stored times a period: every second and every fourth say different things.
+    const SurfacePlan asked =
+        plan(stored([](double t) { return 1.0 + std::sin(6.0 * t); }, 12), SurfaceKind::Streak);
+    Surface surface = value_of(build_surface(asked));
+    value_of(state_interval_errors(asked, surface, {}));
+    EXPECT_TRUE(!surface.statistics.interval_error ||
+                surface.statistics.interval_error->unresolved > 0.5);
+}
+
+TEST(IntervalErrors, AreTheSameOnAnyNumberOfThreads) {
+    for (const SurfaceKind kind : moving) {
+        const SurfacePlan asked = plan(stored(oscillating, 16), kind);
+        const Surface surface = value_of(build_surface(asked));
+        const auto on = [&](int threads) {
+            return tbb::task_arena(threads).execute(
+                [&] { return value_of(interval_errors(asked, surface, {})).error; });
+        };
+        const auto same = [](float a, float b) {
+            return a == b || (std::isnan(a) && std::isnan(b));
+        };
+        EXPECT_TRUE(std::ranges::equal(on(1), on(4), same));
+    }
+}
+
+TEST(IntervalErrors, AreLeftOutWithTheReason) {
+    const auto reason = [](std::shared_ptr<const Flow> flow, SurfaceKind kind) {
+        return no_interval_errors(plan(std::move(flow), kind));
+    };
+    const std::shared_ptr<const Flow> formula = make_function_flow(
+        [](const Vec3&, double) { return Vec3(1, 0, 0.25); }, {{-8, -4, -4}, {24, 4, 4}});
+    EXPECT_EQ(reason(formula, SurfaceKind::Streak),
+              "the flow is known at all times: nothing is interpolated between stored times");
+    EXPECT_EQ(reason(stored(oscillating, 16), SurfaceKind::Stream),
+              "the field is frozen: nothing is interpolated between stored times");
+    EXPECT_EQ(reason(stored(oscillating, 3), SurfaceKind::Streak),
+              "the surface uses 4 stored times, and at least 5 are needed");
+    EXPECT_EQ(reason(stored(oscillating, 4), SurfaceKind::Streak), "");
+}
+
+TEST(ThinnedFlow, HasTheTimesThatAreLeftAndIsLinearBetween) {
+    const auto flow = stored(oscillating, 16);
+    const double h = end / 16;
+    const auto thin = flow->thinned(4, 5.5 * h); // steps 1, 5, 9, 13, and both ends
+    std::vector<double> times;
+    for (auto next = thin->next_stored_time(-1.0, +1.0); next;
+         next = thin->next_stored_time(*next, +1.0))
+        times.push_back(*next / h);
+    EXPECT_EQ(times, (std::vector<double>{0, 1, 5, 9, 13, 16}));
+    const std::vector<Vec3> place(3, Vec3(0.0));
+    const std::vector<double> when{5 * h, 6 * h, 9 * h};
+    std::vector<Vec3> velocity(3);
+    ASSERT_TRUE(thin->sample(place, when, velocity, {}));
+    EXPECT_NEAR(velocity[0].x, oscillating(5 * h), 1e-6);
+    EXPECT_NEAR(velocity[1].x, 0.75 * oscillating(5 * h) + 0.25 * oscillating(9 * h), 1e-6);
+    EXPECT_NEAR(velocity[2].x, oscillating(9 * h), 1e-6);
+}
+
+} // namespace wakesurf::core::interval_errors_test
