@@ -28,6 +28,14 @@ Intervals::Intervals(std::shared_ptr<TimeStepCache> cache, std::vector<std::size
         times_.push_back(all[step]);
 }
 
+std::vector<std::size_t> Intervals::every(std::size_t stride, std::size_t k) const {
+    std::vector<std::size_t> steps;
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+        if (i % stride == k % stride || i == 0 || i + 1 == steps_.size())
+            steps.push_back(steps_[i]);
+    return steps;
+}
+
 Result<Interval> Intervals::acquire(std::size_t k, Needs needs, const std::stop_token& stop) const {
     Result<Interval> got;
     if (!tight_)

@@ -45,6 +45,10 @@ class Intervals {
     /// Returns the number of the k-th step that counts in the series.
     std::size_t step(std::size_t k) const { return steps_[k]; }
 
+    /// Returns the numbers of every `stride`-th of the steps, counted both ways from the k-th, and of the first and
+    /// the last.
+    std::vector<std::size_t> every(std::size_t stride, std::size_t k) const;
+
     /// Returns the interval [times()[k], times()[k + 1]]; REQUIRES that the caller owns none. Callers that between
     /// them hold what each still wants release it, and take turns; in a small cache they do so from the
     /// start. Error: as TimeStepCache::acquire.

@@ -53,13 +53,8 @@ class IntervalFlow final : public Flow {
     }
 
     std::shared_ptr<const Flow> thinned(std::size_t stride, double from) const override {
-        const std::size_t count = intervals_.times().size();
-        const std::size_t phase = interval_at(from) % stride;
-        std::vector<std::size_t> steps;
-        for (std::size_t k = 0; k < count; ++k)
-            if (k % stride == phase || k == 0 || k + 1 == count)
-                steps.push_back(intervals_.step(k));
-        return std::make_shared<IntervalFlow>(cache_, clock_, sampling_, std::move(steps));
+        return std::make_shared<IntervalFlow>(cache_, clock_, sampling_,
+                                              intervals_.every(stride, interval_at(from)));
     }
 
     double finest_spacing() const override { return finest_; }
