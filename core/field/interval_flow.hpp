@@ -25,7 +25,6 @@ class IntervalFlow final : public Flow {
     static constexpr std::size_t small_data_bytes = std::size_t{4} << 30;
 
   public:
-    /// @param steps  as of Intervals
     IntervalFlow(std::shared_ptr<TimeStepCache> cache,
                  std::shared_ptr<const Clock> clock,
                  std::shared_ptr<const Sampling> sampling,
