@@ -107,6 +107,7 @@ class Twin {
         options.expansion = false;
         options.memory = work_.memory();
         for (std::size_t begin = 0; begin < order.size();) {
+            const std::size_t before = work_.memory() != nullptr ? work_.memory()->bytes() : 0;
             std::vector<Curve> curves;
             std::vector<std::size_t> begins;
             std::size_t end = begin;
@@ -137,6 +138,9 @@ class Twin {
                         place[order[i]] = curves[k].at_time(age).position;
                 }
             begin = end;
+            curves = {};
+            if (work_.memory() != nullptr)
+                work_.memory()->shrink(work_.memory()->bytes() - before);
         }
         return place;
     }
