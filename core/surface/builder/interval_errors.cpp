@@ -111,7 +111,10 @@ class Twin {
             std::vector<Curve> curves;
             std::vector<std::size_t> begins;
             std::size_t end = begin;
-            while (end < order.size() && curves.size() < lines_at_once) {
+            const bool upstream =
+                line(order[begin]).first; // the same for all that are traced at a time
+            while (end < order.size() && curves.size() < lines_at_once &&
+                   line(order[end]).first == upstream) {
                 const auto [back, s] = line(order[end]);
                 Curve curve;
                 curve.seed = plan_.seeding.at(s);

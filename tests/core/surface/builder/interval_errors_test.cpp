@@ -98,6 +98,34 @@ TEST(IntervalErrors, ComeNearerToTheTrueOnesWithTheSquareOfTheInterval) {
     }
 }
 
+TEST(IntervalErrors, OfAPathSurfaceInBothDirectionsAreThoseOfEither) {
+    SurfaceParameters p;
+    p.kind = SurfaceKind::Path;
+    p.from = 0.5 * end;
+    p.to = end;
+    p.separation = 0.25;
+    p.accuracy = Accuracy::Exact;
+    p.direction = Direction::Both;
+    const SurfacePlan asked = value_of(
+        plan_surface(stored(oscillating, 32), {Rake::Kind::Line, {{2, -1, 0}, {2, 1, 0}}, 5}, p));
+    const Surface surface = value_of(build_surface(asked));
+    const IntervalErrors errors = value_of(interval_errors(asked, surface, {}));
+    ASSERT_TRUE(errors.stated);
+    EXPECT_LT(errors.stated->unresolved, 0.1);
+    std::array<double, 2> largest{};
+    for (std::size_t v = 0; v < surface.mesh.vertices(); ++v) {
+        if (std::isnan(errors.error[v]))
+            continue;
+        const double t = surface.mesh.t[v];
+        const double real = std::abs(surface.mesh.position[v].x - 2.0 - way(p.from, p.from + t));
+        EXPECT_NEAR(double{errors.error[v]}, real, 2e-4) << t;
+        double& side = largest[t < 0.0 ? 0 : 1];
+        side = std::max(side, real);
+    }
+    EXPECT_GT(largest[0], 1e-3);
+    EXPECT_GT(largest[1], 1e-3);
+}
+
 TEST(IntervalErrors, AreNoneWhereTheFlowIsLinearBetweenStoredTimes) {
     for (const SurfaceKind kind : moving) {
         const SurfacePlan asked = plan(stored([](double t) { return 0.5 + t; }, 16), kind);
