@@ -247,8 +247,8 @@ core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bo
              statistics.error->uncertain, statistics.vertices);
     if (statistics.interval_error && statistics.interval_error->error99 > statistics.separation)
         tell(stderr,
-             "wakesurf: between stored times: 99 % of the vertices within {:.2g}, more than the "
-             "separation{}\n",
+             "wakesurf: between stored times: 99 % of the vertices that are resolved are within "
+             "{:.2g}, more than the separation{}\n",
              statistics.interval_error->error99,
              statistics.advised_interval
                  ? fmt::format("; data every {:.2g} would bring it to {:.2g}",
