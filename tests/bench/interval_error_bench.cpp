@@ -31,7 +31,7 @@ struct StoredForm {
     double period, end, separation;
 };
 
-core::UniformGrid grid(const Vec3& low, const Vec3& high, std::array<std::size_t, 3> nodes) {
+core::UniformGrid grid(const Vec3& low, const Vec3& high, std::array<std::uint32_t, 3> nodes) {
     core::UniformGrid out;
     out.origin = low;
     for (int axis = 0; axis < 3; ++axis) {
