@@ -178,8 +178,8 @@ std::size_t memory_of(const QuadComplex& complex) {
     const auto bytes = [](const auto& array) { return array.capacity() * sizeof(array[0]); };
     return bytes(complex.position) + bytes(complex.s) + bytes(complex.t) + bytes(complex.velocity) +
            bytes(complex.deformation) + bytes(complex.component) + bytes(complex.approximated) +
-           bytes(complex.error) + bytes(complex.tangents) + bytes(complex.normal) +
-           bytes(complex.cells);
+           bytes(complex.error) + bytes(complex.interval_error) + bytes(complex.tangents) +
+           bytes(complex.normal) + bytes(complex.cells);
 }
 
 } // namespace wakesurf::core

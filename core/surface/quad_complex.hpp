@@ -52,6 +52,9 @@ struct QuadComplex {
     /// The estimated distance of the vertex from the true surface, across it, a length; empty for a mesh that
     /// no builder has made.
     std::vector<float> error;
+    /// How far interpolating between stored times puts the vertex off, a length; NaN: the stored times do not
+    /// resolve it. Empty: not estimated.
+    std::vector<float> interval_error;
     std::vector<SurfaceTangents> tangents; ///< dx/ds and dx/dt; empty when not asked for
     /// Vectors of length 1, or 0 without a normal; empty: computed from the cells.
     std::vector<Vec3f> normal;

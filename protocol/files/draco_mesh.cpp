@@ -215,6 +215,8 @@ std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
     out.push_back({"approximated", mesh.approximated, 0});
     if (!mesh.error.empty() && !scalars.contains("error")) // a field of the data has priority
         out.push_back(of_floats("error", mesh.error));
+    if (!mesh.interval_error.empty() && !scalars.contains("interval_error"))
+        out.push_back(of_floats("interval_error", mesh.interval_error));
     for (const auto& [name, values] : scalars)
         out.push_back(of_floats(name, values));
     return out;

@@ -29,7 +29,7 @@ struct MeshAttribute {
 };
 
 /// Returns s, t, speed, velocity, deformation if the mesh has it, component (65535: that one or a smaller
-/// part), approximated, error if the mesh has it, and then the scalars in order.
+/// part), approximated, error and interval_error if the mesh has them, and then the scalars in order.
 std::vector<MeshAttribute> mesh_attributes(const core::QuadComplex& mesh,
                                            const MeshScalars& scalars);
 

@@ -51,6 +51,8 @@ tinygltf::Value::Object extras(const MeshMetadata& metadata) {
         out["rake2Kind"] = Value(std::string(name(metadata.parameters.rake2->kind)));
     if (metadata.tessellate > 1)
         out["tessellate"] = Value(static_cast<int>(metadata.tessellate));
+    for (const auto& [name, value] : metadata.errors)
+        out[name] = Value(value);
     if (!metadata.stopped.empty())
         out["stopped"] = Value(metadata.stopped);
     if (metadata.parameters.sweep)

@@ -39,6 +39,17 @@ spelt(const MeshScalars& scalars, std::set<std::string> taken, Spelling spelling
 
 } // namespace
 
+std::map<std::string, double> stated_errors(const core::SurfaceStatistics& statistics) {
+    std::map<std::string, double> out;
+    if (statistics.error)
+        out["error99"] = statistics.error->error99;
+    if (statistics.interval_error) {
+        out["intervalError99"] = statistics.interval_error->error99;
+        out["intervalUnresolved"] = statistics.interval_error->unresolved;
+    }
+    return out;
+}
+
 std::vector<std::string> one_word_names(const MeshScalars& scalars, std::set<std::string> taken) {
     return spelt(scalars, std::move(taken), word);
 }
@@ -89,6 +100,8 @@ std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
     lines.push_back("separation " + number_text(metadata.separation));
     if (metadata.tessellate > 1)
         lines.push_back("tessellate " + std::to_string(metadata.tessellate));
+    for (const auto& [name, value] : metadata.errors)
+        lines.push_back(name + " " + number_text(value));
     if (!metadata.stopped.empty())
         lines.push_back("stopped " + printable(metadata.stopped));
     return lines;

@@ -3,6 +3,7 @@
 
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
+#include "core/surface/surface_statistics.hpp"
 
 #include <charconv>
 #include <cstdint>
@@ -26,12 +27,17 @@ struct MeshMetadata {
     std::optional<double> time{};
     /// The reason why the surface is not what was asked for; usually empty.
     std::string stopped{};
+    /// What the surface's statistics state of its errors, by their names there.
+    std::map<std::string, double> errors{};
 };
 
 /// Says whether a file states the kind of a rake: three points of a circle would be taken for a polyline.
 inline bool tells_kind(core::Rake::Kind kind) {
     return kind == core::Rake::Kind::Circle || kind == core::Rake::Kind::Points;
 }
+
+/// Returns `error99`, `intervalError99` and `intervalUnresolved`, those that there are.
+std::map<std::string, double> stated_errors(const core::SurfaceStatistics& statistics);
 
 /// Holds further vertex arrays by name, each with one value a vertex.
 using MeshScalars = std::map<std::string, std::vector<float>>;

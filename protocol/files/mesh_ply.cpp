@@ -10,7 +10,10 @@
 #include <cassert>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace wakesurf::protocol {
@@ -109,9 +112,15 @@ std::vector<float> disc_radii(const core::QuadComplex& mesh,
     return radii;
 }
 
-/// Returns true if the mesh's error is written; a field of the data with that name has priority.
-bool has_error(const core::QuadComplex& mesh, const MeshScalars& scalars) {
-    return !mesh.error.empty() && !scalars.contains("error");
+/// Returns the errors that are estimated, with their names; a field of the data with that name has priority.
+std::map<std::string, std::span<const float>> errors_of(const core::QuadComplex& mesh,
+                                                        const MeshScalars& scalars) {
+    std::map<std::string, std::span<const float>> out;
+    if (!mesh.error.empty() && !scalars.contains("error"))
+        out["error"] = mesh.error;
+    if (!mesh.interval_error.empty() && !scalars.contains("interval_error"))
+        out["interval_error"] = mesh.interval_error;
+    return out;
 }
 
 std::string header(const core::QuadComplex& mesh,
@@ -132,8 +141,8 @@ std::string header(const core::QuadComplex& mesh,
     if (!mesh.deformation.empty())
         text += "property float deformation\n";
     text += "property uint component\nproperty uchar approximated\n";
-    if (has_error(mesh, scalars))
-        text += "property float error\n";
+    for (const auto& [name, values] : errors_of(mesh, scalars))
+        text += "property float " + name + "\n";
     if (!faces)
         text += "property float radius\n";
     for (const std::string& name : one_word_names(scalars, {"x",
@@ -182,6 +191,7 @@ std::string mesh_ply(const core::QuadComplex& mesh,
     const SpeedRange range(speeds);
     std::string out =
         header(mesh, metadata, scalars, range, points ? std::nullopt : std::optional(faces.count));
+    const auto errors = errors_of(mesh, scalars);
     out.reserve(out.size() + mesh.vertices() * (88 + 4 * scalars.size()) + faces.bytes.size());
     for (std::size_t v = 0; v < mesh.vertices(); ++v) {
         put_bytes(out, mesh.position[v]);
@@ -197,8 +207,8 @@ std::string mesh_ply(const core::QuadComplex& mesh,
             put_bytes(out, mesh.deformation[v]);
         put_bytes(out, mesh.component[v]);
         put_bytes(out, mesh.approximated[v]);
-        if (has_error(mesh, scalars))
-            put_bytes(out, mesh.error[v]);
+        for (const auto& [name, values] : errors)
+            put_bytes(out, values[v]);
         if (points)
             put_bytes(out, radii[v]);
         for (const auto& [name, values] : scalars) {

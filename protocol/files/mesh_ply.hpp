@@ -16,8 +16,8 @@ enum class PlyElements : std::uint8_t { Cells, Points };
 /// Writes a quad for each cell without hanging nodes, triangles for the others, sharing vertices. Vertex
 /// properties: double x y z s t, float speed vx vy vz, then what VTK and ParaView show of a .ply: float nx ny
 /// nz, float u v (s and t once more), uchar red green blue (speed from the slowest to the fastest vertex,
-/// viridis); float deformation (if the mesh has it), uint component, uchar approximated, float error (if the
-/// mesh has it), float <scalar> for each scalar, its name as one word. Metadata in comments. Same input, same
+/// viridis); float deformation (if the mesh has it), uint component, uchar approximated, float error and
+/// interval_error (if the mesh has them), float <scalar> for each scalar, its name as one word. Metadata in comments. Same input, same
 /// bytes. REQUIRES: as mesh_vtp. @param elements  Points: no cells, and a float radius a vertex, of a disc
 /// across its normal; discs of all vertices leave no hole in a flat cell, and reach beyond the border
 std::string mesh_ply(const core::QuadComplex& mesh,

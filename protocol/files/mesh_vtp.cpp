@@ -157,6 +157,8 @@ void field_data(std::string& xml, const MeshMetadata& metadata) {
         field_numbers(xml, "tessellate", std::span(&pieces, 1));
     field_text(xml, "dataset", metadata.dataset);
     field_text(xml, "version", metadata.version);
+    for (const auto& [name, value] : metadata.errors)
+        field_numbers(xml, name, std::span(&value, 1));
     if (!metadata.stopped.empty())
         field_text(xml, "stopped", metadata.stopped);
     xml += "</FieldData>\n";

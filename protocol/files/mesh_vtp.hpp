@@ -80,6 +80,8 @@ void each_vtk_array(const core::QuadComplex& mesh, const Visit& visit) {
     visit("approximated", mesh.approximated, 1);
     if (!mesh.error.empty())
         visit("error", mesh.error, 1);
+    if (!mesh.interval_error.empty())
+        visit("interval_error", mesh.interval_error, 1);
 }
 
 } // namespace wakesurf::protocol

@@ -140,7 +140,7 @@ std::vector<std::string> carried_fields(const core::DatasetInfo& info) {
     for (const core::FieldInfo& field : info.fields)
         if (field.stored && field.name != info.velocity)
             stored.push_back(field.name);
-    return vertex_field_names(std::move(stored), info.velocity);
+    return vertex_field_names(std::move(stored), info);
 }
 
 std::string range_words(const std::array<double, 2>& range) {

@@ -194,7 +194,8 @@ core::Result<void> write(const SurfaceOptions& options,
                                           .tessellate = options.tessellate,
                                           .dataset = info.dataset,
                                           .version = WAKESURF_VERSION,
-                                          .stopped = surface.statistics.stopped};
+                                          .stopped = surface.statistics.stopped,
+                                          .errors = protocol::stated_errors(surface.statistics)};
     // Checked before the work began: the name has one of the extensions.
     const auto format =
         protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));

@@ -1,6 +1,7 @@
 #include "server/base/field_names.hpp"
 
 #include "core/field/velocity_gradient.hpp"
+#include "core/surface/builder/interval_errors.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "protocol/api/base/nearest_name.hpp"
 
@@ -13,9 +14,6 @@
 namespace wakesurf::server {
 
 namespace {
-
-constexpr std::array known_of_vertices{core::deformation_name, core::approximated_name,
-                                       core::error_name};
 
 void add(std::vector<std::string>& names, std::span<const std::string_view> more) {
     for (const std::string_view each : more)
@@ -33,10 +31,18 @@ std::vector<std::string> node_field_names(std::vector<std::string> stored,
     return stored;
 }
 
+bool has_interval_errors(const core::DatasetInfo& info) {
+    return info.grid != core::GridKind::Analytic && !info.steady &&
+           info.times.size() >= core::least_stored_times;
+}
+
 std::vector<std::string> vertex_field_names(std::vector<std::string> stored,
-                                            const std::string& velocity) {
-    add(stored, std::array<std::string_view, 1>{velocity});
-    add(stored, known_of_vertices);
+                                            const core::DatasetInfo& info) {
+    const bool its_own = std::ranges::find(stored, core::interval_error_name) != stored.end();
+    add(stored, std::array<std::string_view, 1>{info.velocity});
+    add(stored, core::derived_vertex_names);
+    if (!its_own && !has_interval_errors(info))
+        std::erase(stored, core::interval_error_name);
     add(stored, core::gradient_field_names);
     add(stored, core::velocity_component_names);
     add(stored, core::normal_component_names);

@@ -18,9 +18,12 @@ namespace wakesurf::server {
 std::vector<std::string> node_field_names(std::vector<std::string> stored,
                                           const std::string& velocity);
 
+/// Says whether surfaces that move can have an error between stored times.
+bool has_interval_errors(const core::DatasetInfo& info);
+
 /// Lists the fields of surfaces: these, and those known only at their vertices.
 std::vector<std::string> vertex_field_names(std::vector<std::string> stored,
-                                            const std::string& velocity);
+                                            const core::DatasetInfo& info);
 
 /// Returns "did you mean vorticity? There is p, U, ..."
 std::string field_hint(std::string_view name, std::span<const std::string> there);

@@ -31,8 +31,9 @@ bool taken(const LoadedDataset& dataset, const std::string& name) {
                dataset.info.fields,
                [&](const core::FieldInfo& each) { return !each.family && each.name == name; }) ||
            std::ranges::find(ours, name) != ours.end() || name == dataset.info.velocity ||
-           name == core::deformation_name || name == core::approximated_name ||
-           name == core::error_name || core::find_gradient_field(name) ||
+           std::ranges::find(core::derived_vertex_names, name) !=
+               core::derived_vertex_names.end() ||
+           core::find_gradient_field(name) ||
            std::ranges::find(components, name) != components.end();
 }
 

@@ -34,6 +34,8 @@ std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string
         return SurfaceField{name, Source::Approximated};
     if (name == core::error_name)
         return SurfaceField{name, Source::Error};
+    if (name == core::interval_error_name && has_interval_errors(dataset.info))
+        return SurfaceField{name, Source::IntervalError};
     if (core::find_gradient_field(name))
         return SurfaceField{name, Source::Gradient};
     return std::nullopt;
@@ -58,9 +60,8 @@ std::vector<float> speeds_of(const core::QuadComplex& mesh) {
 } // namespace
 
 std::vector<std::string> field_names(const OpenDataset& dataset) {
-    return vertex_field_names(dataset.scalars ? dataset.scalars->names()
-                                              : std::vector<std::string>(),
-                              dataset.info.velocity);
+    return vertex_field_names(
+        dataset.scalars ? dataset.scalars->names() : std::vector<std::string>(), dataset.info);
 }
 
 core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::string& name) {
@@ -130,6 +131,9 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
             out.push_back(values_of(mesh.approximated, mesh));
         } else if (field.source == Source::Error) {
             out.push_back(values_of(mesh.error, mesh, std::numeric_limits<float>::quiet_NaN()));
+        } else if (field.source == Source::IntervalError) {
+            out.push_back(
+                values_of(mesh.interval_error, mesh, std::numeric_limits<float>::quiet_NaN()));
         } else if (field.source == Source::Gradient) {
             out.push_back(std::move((*gradients)[next++]));
         } else {

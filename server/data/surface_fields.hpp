@@ -29,6 +29,7 @@ struct SurfaceField {
         Deformation,
         Approximated,
         Error,
+        IntervalError,
         Gradient
     };
 

@@ -17,8 +17,8 @@ bool stored(const LoadedDataset& dataset, const std::string& name) {
 
 /// Says whether every export has it, unless the dataset has a field of that name.
 bool written_anyhow(const LoadedDataset& dataset, const std::string& name) {
-    const bool derived = name == core::deformation_name || name == core::approximated_name ||
-                         name == core::error_name;
+    const bool derived =
+        std::ranges::find(core::derived_vertex_names, name) != core::derived_vertex_names.end();
     return name == dataset.info.velocity || (derived && !stored(dataset, name));
 }
 
@@ -37,9 +37,8 @@ bool component_here(const LoadedDataset& dataset, const std::string& name) {
 
 core::Result<void> check_fields(const LoadedDataset& dataset,
                                 const std::vector<std::string>& fields) {
-    const auto there =
-        vertex_field_names(dataset.scalars ? dataset.scalars->names() : std::vector<std::string>(),
-                           dataset.info.velocity);
+    const auto there = vertex_field_names(
+        dataset.scalars ? dataset.scalars->names() : std::vector<std::string>(), dataset.info);
     for (const std::string& name : fields)
         if (std::ranges::find(there, name) == there.end())
             return tl::unexpected(no_such_field("fields", name, there, dataset.info.fields));

@@ -18,21 +18,6 @@ constexpr std::chrono::milliseconds patience_with_stale{150};
 /// A key of so many vertices is encoded within some 15 ms.
 constexpr std::size_t quick_key = 30'000;
 
-/// @param whole  its statistics are of this pass alone, not of all since the release of the surface
-void count(Metrics& metrics,
-           std::chrono::duration<double> queued,
-           const core::Result<Update>& result,
-           bool whole) {
-    metrics.observe(Stage::Queue, queued.count());
-    if (result)
-        metrics.observe(Stage::Encode, result->took.encode);
-    if (result && whole) {
-        metrics.observe(Stage::Load, result->statistics.seconds.load);
-        metrics.observe(Stage::Advect, result->statistics.seconds.advect);
-        metrics.observe(Stage::Refine, result->statistics.seconds.refine);
-    }
-}
-
 bool is_early(const SurfacePass& pass) {
     return pass.phase == Phase::Coarse || pass.phase == Phase::Refined;
 }
@@ -126,6 +111,7 @@ void LiveSurface::fall_back() {
     if (stage_ < SurfaceStage::Begun)
         return;
     fallen_ = {outcome(), time_};
+    fallen_->outcome.interval_pending = false;
     stop_jobs();
     begin_build();
     stage_ = SurfaceStage::Resting;
@@ -192,7 +178,7 @@ void LiveSurface::show(std::optional<double> time, bool playing, bool jumped) {
                     core::age_at(wanted_.plan.parameters, time_) !=
                         core::age_at(wanted_.plan.parameters, fallen_->time)))
         fallen_.reset();
-    if (!running())
+    if (!computing())
         pass_wanted_ = services_.clock.now();
     if (jumped) {
         jumped_ = services_.clock.now();
@@ -224,13 +210,19 @@ void LiveSurface::give_up_stale() {
 }
 
 bool LiveSurface::busy() const {
-    return running() || (!unseen() && next_pass().has_value());
+    return computing() || (!unseen() && next_pass().has_value());
 }
 
 bool LiveSurface::running() const {
     return std::ranges::any_of(running_, [this](const auto& each) {
         return each && each->epoch == epoch_ && build_ && each->build.lock() == build_;
     });
+}
+
+bool LiveSurface::computing() const {
+    return running() && !std::ranges::any_of(running_, [this](const auto& each) {
+               return each && each->epoch == epoch_ && each->pass.intervals;
+           });
 }
 
 std::optional<SurfacePass> LiveSurface::early() const {
@@ -263,16 +255,36 @@ std::optional<SurfacePass> LiveSurface::next_pass() const {
     return std::nullopt;
 }
 
+/// Returns the pass that estimates the error between stored times of what is shown; empty where it is done or
+/// another state is to come.
+std::optional<SurfacePass> LiveSurface::interval_pass() const {
+    const SharedUpdate newest = ring_->newest();
+    if (stage_ != SurfaceStage::Full || !build_ || !newest || !newest->intervals_due || next_pass())
+        return std::nullopt;
+    SurfacePass pass = *shown_;
+    pass.intervals = true;
+    return pass;
+}
+
 PriorityClass LiveSurface::priority_of(const SurfacePass& pass) const {
+    if (pass.intervals)
+        return PriorityClass::Long;
     return stage_ == SurfaceStage::Full ? budgets_.priority_of_moving_on()
                                         : budgets_.priority(pass.phase);
 }
 
 void LiveSurface::advance() {
     // The end of a running job leads here again.
-    if (resting() || unseen() || running())
+    if (resting() || unseen())
         return;
-    const auto pass = next_pass();
+    auto pass = next_pass();
+    if (running()) {
+        if (pass && !computing())
+            stop_jobs(); // the error between stored times of what is replaced
+        return;
+    }
+    if (!pass)
+        pass = interval_pass();
     if (!pass)
         return;
     const PriorityClass at = priority_of(*pass);
@@ -287,9 +299,11 @@ void LiveSurface::start(PriorityClass priority, const SurfacePass& pass) {
     Running& running = running_[index(priority)].emplace(
         Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
                 std::make_shared<core::WorkDone>(), build_});
-    progress_.start(pass.phase, running.work, running.since);
+    if (!pass.intervals)
+        progress_.start(pass.phase, running.work, running.since);
     services_.pool.run(
-        session_, priority,
+        // Under a name of its own it delays no picture of the session.
+        pass.intervals ? session_ + "\nintervals" : session_, priority,
         [build = build_, pass, priority, stop = running.stop.get_token(), weak = weak_from_this(),
          services = services_, first = stage_ != SurfaceStage::Full, queued = running.since,
          wanted = running.wanted, work = running.work, wanted_job = wanted_] {
@@ -312,11 +326,16 @@ void LiveSurface::start(PriorityClass priority, const SurfacePass& pass) {
 void LiveSurface::finished(PriorityClass priority, core::Result<Update> result, double seconds) {
     const Running job = *std::exchange(running_[index(priority)], std::nullopt);
     const bool of_now = job.epoch == epoch_ && job.build.lock() == build_ && build_;
-    if (of_now) {
+    if (of_now && !job.pass.intervals) {
         pass_wanted_ = services_.clock.now();
         progress_.end();
     }
-    if (!of_now || stage_ < SurfaceStage::Failed)
+    if (job.pass.intervals) {
+        if (of_now && stage_ == SurfaceStage::Full && result)
+            publish(job.pass, std::move(*result));
+        else if (of_now && !result && result.error().code != core::Error::Code::Cancelled)
+            release_build(); // it would fail again
+    } else if (!of_now || stage_ < SurfaceStage::Failed)
         budgets_.cut_short(job.pass.phase, seconds);
     else if (result)
         publish(job.pass, std::move(*result));
@@ -334,7 +353,9 @@ double LiveSurface::finest() const {
 }
 
 void LiveSurface::publish(const SurfacePass& pass, Update update) {
-    if (stage_ == SurfaceStage::Full)
+    if (pass.intervals)
+        ; // tells nothing about the next state
+    else if (stage_ == SurfaceStage::Full)
         budgets_.moved_on(update.seconds);
     else
         budgets_.took(pass.phase, update.seconds, update.statistics, finest(),
@@ -359,9 +380,9 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
         return;
     }
     const bool more = next_pass().has_value();
-    if (!more && !core::moves(wanted_.plan.parameters))
+    if (!more && !interval_pass() && !core::moves(wanted_.plan.parameters))
         release_build(); // nothing will continue it
-    if (pass.phase != Phase::Final || !more)
+    if ((pass.phase != Phase::Final || !more) && !pass.intervals)
         events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
     if (!more)
         conclude();
@@ -405,6 +426,7 @@ SurfaceOutcome LiveSurface::outcome() const {
     if (const SharedUpdate state = ring_->newest()) {
         const bool playing = shown_->phase == Phase::Live && playing_;
         out.complete = stage_ == SurfaceStage::Full && (playing || !next_pass());
+        out.interval_pending = out.complete && interval_pass() && !unseen();
         out.state_sum = state->wire.state_sum;
         out.statistics = state->statistics;
         out.statistics.requested_separation = finest(); // an early pass has a lower request

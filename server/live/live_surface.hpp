@@ -172,10 +172,12 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// that it ends.
     std::array<std::optional<Running>, 2> running_;
 
-    bool running() const; ///< a job of the current epoch
-    bool unseen() const;  ///< hidden by all
+    bool running() const;   ///< a job of the current epoch
+    bool computing() const; ///< a job of the current epoch that leads to another state
+    bool unseen() const;    ///< hidden by all
     void advance();
     std::optional<SurfacePass> next_pass() const;
+    std::optional<SurfacePass> interval_pass() const;
     PriorityClass priority_of(const SurfacePass& pass) const;
     void start(PriorityClass priority, const SurfacePass& pass);
     void finished(PriorityClass priority, core::Result<Update> result, double seconds);

@@ -1,5 +1,6 @@
 #include "server/live/surface_build.hpp"
 
+#include "core/surface/builder/interval_errors.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/surface_at.hpp"
@@ -94,9 +95,18 @@ SurfaceBuild::run_counted(const SurfacePass& pass, const std::stop_token& stop, 
     const auto start = clock_.now();
     if (stop.stop_requested())
         return cancelled();
+    if (pass.intervals)
+        return state_intervals(pass, stop, work);
     auto shown = build(pass, stop, work);
     if (!shown)
         return tl::unexpected(shown.error());
+    std::string& left_out = shown->statistics.interval_left_out;
+    if (pass.phase == Phase::Final)
+        left_out = core::no_interval_errors(job_.plan, shown->ended);
+    const bool due =
+        pass.phase == Phase::Final && left_out.empty() && shown->mesh.mesh.vertices() > 0;
+    if (due)
+        left_out = "it is not estimated yet";
     if (stop.stop_requested())
         return cancelled();
     const std::size_t vertices = shown->mesh.mesh.vertices();
@@ -106,8 +116,10 @@ SurfaceBuild::run_counted(const SurfacePass& pass, const std::stop_token& stop, 
         return tl::unexpected(room.error());
     const auto built = clock_.now();
     const double load = shown->load;
-    auto update = encode(std::move(*shown), pass);
+    auto update = encode(*shown, pass);
     if (update) {
+        update->intervals_due = due;
+        unstated_ = due ? std::optional(std::move(*shown)) : std::nullopt;
         const auto end = clock_.now();
         update->seconds = std::chrono::duration<double>(end - start).count();
         update->took.load = load;
@@ -128,7 +140,8 @@ core::Result<Update> SurfaceBuild::run(const SurfacePass& pass,
             *account_, stop, whole ? patience : little_patience,
             fmt::format("this surface, of at most {} quads,", job_.plan.parameters.max_quads));
         auto update = run_counted(pass, stop, {work, &memory});
-        kept_.set(stream_.bytes() + (grown_ ? grown_->bytes() : 0));
+        kept_.set(stream_.bytes() + (grown_ ? grown_->bytes() : 0) +
+                  (unstated_ ? core::memory_of(unstated_->mesh.mesh) : 0));
         if (update)
             update->memory = counted(account_, update->wire.bytes);
         return update;
@@ -187,8 +200,12 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::build_whole(const std::stop_toke
     auto fields = fields_of(*surface, job_.plan.parameters, stop, work);
     if (!fields)
         return tl::unexpected(fields.error());
-    return Shown{protocol::with_ids(std::move(surface->mesh)), surface->statistics, Source::Whole,
-                 std::move(*fields), surface->statistics.seconds.load};
+    return Shown{protocol::with_ids(std::move(surface->mesh)),
+                 surface->statistics,
+                 Source::Whole,
+                 std::move(*fields),
+                 surface->statistics.seconds.load,
+                 surface->ended};
 }
 
 std::size_t SurfaceBuild::sampling_memory(std::size_t vertices) const {
@@ -250,7 +267,13 @@ SurfaceBuild::grow(double age, const std::stop_token& stop, const Work& work) {
     }
     if (auto room = work.takes(grown_->bytes()); !room)
         return tl::unexpected(room.error());
-    Shown shown{grown_->at(age), grown_statistics_, Source::Grown, grown_->fields_at(age), load};
+    const core::SurfaceParameters& p = job_.plan.parameters;
+    Shown shown{grown_->at(age),
+                grown_statistics_,
+                Source::Grown,
+                grown_->fields_at(age),
+                load,
+                p.from + core::time_sign(p) * age};
     shown.statistics.quads = shown.mesh.mesh.cells.size();
     shown.statistics.vertices = shown.mesh.mesh.vertices();
     shown.statistics.error = core::stated_error(shown.mesh.mesh, shown.statistics.separation);
@@ -304,11 +327,35 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
         return tl::unexpected(fields.error());
     const double loaded = shown->statistics.seconds.load;
     const double load = loaded - std::exchange(played_load_, loaded);
-    return Shown{std::move(shown->mesh), shown->statistics, Source::Played, std::move(*fields),
-                 load};
+    return Shown{std::move(shown->mesh),
+                 shown->statistics,
+                 Source::Played,
+                 std::move(*fields),
+                 load,
+                 shown->time};
 }
 
-core::Result<Update> SurfaceBuild::encode(Shown shown, const SurfacePass& pass) {
+/// The update carries the errors in the field that is for them, and else what they come to. If they cannot be
+/// estimated, it says why.
+core::Result<Update> SurfaceBuild::state_intervals(const SurfacePass& pass,
+                                                   const std::stop_token& stop,
+                                                   const Work& work) {
+    core::Surface surface{std::move(unstated_->mesh.mesh), unstated_->statistics, unstated_->ended};
+    const auto stated = core::state_interval_errors(job_.plan, surface, stop, work);
+    unstated_->mesh.mesh = std::move(surface.mesh);
+    if (stop.stop_requested())
+        return cancelled();
+    if (!stated)
+        surface.statistics.interval_left_out = stated.error().message;
+    Shown shown = *std::exchange(unstated_, std::nullopt);
+    shown.statistics = std::move(surface.statistics);
+    for (std::size_t i = 0; i < job_.fields.size(); ++i)
+        if (job_.fields[i].source == SurfaceField::Source::IntervalError && stated)
+            shown.fields[i] = shown.mesh.mesh.interval_error;
+    return encode(shown, pass);
+}
+
+core::Result<Update> SurfaceBuild::encode(Shown& shown, const SurfacePass& pass) {
     const core::SurfaceParameters& p = job_.plan.parameters;
     const double time =
         core::moves(p) ? p.from + core::time_sign(p) * core::age_at(p, pass.time) : p.from;
@@ -325,7 +372,7 @@ core::Result<Update> SurfaceBuild::encode(Shown shown, const SurfacePass& pass) 
         return tl::unexpected(encoded.error());
     last_ = shown.source;
     update.wire = std::move(*encoded);
-    update.statistics = std::move(shown.statistics);
+    update.statistics = shown.statistics;
     update.time = time;
     return update;
 }

@@ -68,6 +68,8 @@ class SurfaceBuild {
         Source source;
         protocol::MeshFields fields;
         double load; ///< the time this pass waited for time-steps, in s
+        /// As in core::Surface.
+        std::optional<double> ended{};
     };
 
     using Work = core::WorkPart;
@@ -89,8 +91,10 @@ class SurfaceBuild {
     core::Result<Shown> play(double age, const std::stop_token& stop, const Work& work);
     core::Result<Shown>
     play_within(std::size_t bytes, double age, const std::stop_token& stop, const Work& work);
+    core::Result<Update>
+    state_intervals(const SurfacePass& pass, const std::stop_token& stop, const Work& work);
     std::size_t shrink_history(std::size_t bytes);
-    core::Result<Update> encode(Shown shown, const SurfacePass& pass);
+    core::Result<Update> encode(Shown& shown, const SurfacePass& pass);
 
     SurfaceJob job_;
     const core::Clock& clock_;
@@ -99,6 +103,7 @@ class SurfaceBuild {
     core::MemoryAccount::Share kept_; ///< between passes, but for `played_`
     protocol::MeshStream stream_;
     Source last_ = Source::Nothing;
+    std::optional<Shown> unstated_; ///< its error between stored times is to be estimated
     std::optional<core::GrowingMesh> grown_;
     core::SurfaceStatistics grown_statistics_;
     std::optional<core::PlayedSurface> played_; ///< while not in use, others may shrink or end it

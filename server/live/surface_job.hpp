@@ -21,6 +21,8 @@ struct SurfacePass {
     std::uint64_t quads = 0;    ///< the budget of a coarse or refined pass
     std::optional<double> time; ///< of the session's clock; empty: at the end
     double separation = 0.0;    ///< the least of such a pass
+    /// Estimates the error between stored times of the state that the pass without it led to.
+    bool intervals = false;
 };
 
 struct SurfaceJob {

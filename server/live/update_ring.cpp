@@ -2,6 +2,7 @@
 
 #include "core/base/work_memory.hpp"
 #include "server/base/limits.hpp"
+#include "server/base/metrics.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -41,6 +42,20 @@ SharedUpdate keyframe_of(const Update& update,
         return key;
     } catch (const std::bad_alloc&) { // as without memory
         return nullptr;
+    }
+}
+
+void count(Metrics& metrics,
+           std::chrono::duration<double> queued,
+           const core::Result<Update>& result,
+           bool whole) {
+    metrics.observe(Stage::Queue, queued.count());
+    if (result)
+        metrics.observe(Stage::Encode, result->took.encode);
+    if (result && whole) {
+        metrics.observe(Stage::Load, result->statistics.seconds.load);
+        metrics.observe(Stage::Advect, result->statistics.seconds.advect);
+        metrics.observe(Stage::Refine, result->statistics.seconds.refine);
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/memory_account.hpp"
+#include "core/base/result.hpp"
 #include "core/surface/surface_statistics.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 #include "server/live/surface_events.hpp"
@@ -20,6 +21,8 @@
 
 namespace wakesurf::server {
 
+class Metrics;
+
 using protocol::Phase;
 
 /// Holds a state of a surface, and the frames that lead to it. Immutable once published.
@@ -30,11 +33,20 @@ struct Update {
     double seconds = 0.0; ///< to build and encode
     PassSeconds took;
     ValueRanges ranges;
+    /// The error between stored times can be estimated, and is not yet.
+    bool intervals_due = false;
     /// Counts the frames as long as they are in use.
     std::shared_ptr<core::MemoryAccount::Share> memory{};
 };
 
 using SharedUpdate = std::shared_ptr<const Update>;
+
+/// Counts what a pass took. @param whole  its statistics are of this pass alone, not of all since the release of
+/// the surface
+void count(Metrics& metrics,
+           std::chrono::duration<double> queued,
+           const core::Result<Update>& result,
+           bool whole);
 
 /// Returns the share of an update's frames. @param account  null: not counted
 std::shared_ptr<core::MemoryAccount::Share> counted(const core::MemoryAccount* account,

@@ -4,6 +4,7 @@
 #include "core/base/memory_account.hpp"
 #include "core/base/result.hpp"
 #include "core/base/rounding.hpp"
+#include "core/surface/builder/interval_errors.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/obstacle_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
@@ -131,7 +132,8 @@ protocol::MeshMetadata metadata_of(const SurfaceJob& job,
             .separation = statistics.separation,
             .dataset = dataset.info.dataset,
             .version = WAKESURF_VERSION,
-            .time = time};
+            .time = time,
+            .errors = protocol::stated_errors(statistics)};
 }
 
 /// The memory for making a file from a mesh, in bytes a vertex: the most of all formats, Draco's, measured as
@@ -166,6 +168,11 @@ struct FileJob {
             core::surface_at(surface.plan, time, core::SteadyClock{}, stop, {nullptr, &memory});
         if (!shown)
             return tl::unexpected(shown.error());
+        core::Surface whole{std::move(shown->mesh), std::move(shown->statistics), shown->ended};
+        if (!coarse) // where they cannot be estimated, the file is without
+            static_cast<void>(
+                core::state_interval_errors(surface.plan, whole, stop, {nullptr, &memory}));
+        shown->mesh = std::move(whole.mesh);
         if (request.tessellate > 1) {
             auto cut = core::tessellate(surface.plan, shown->mesh, shown->times, request.tessellate,
                                         stop, {nullptr, &memory});
@@ -176,7 +183,7 @@ struct FileJob {
         const std::size_t needed = shown->mesh.vertices() * (vertex_file_bytes + 8 * fields.size());
         if (auto taken = take(needed, stop, share); !taken)
             return tl::unexpected(taken.error());
-        auto metadata = metadata_of(surface, shown->statistics, *dataset, time);
+        auto metadata = metadata_of(surface, whole.statistics, *dataset, time);
         metadata.tessellate = request.tessellate;
         if (coarse)
             metadata.stopped = "this is the coarse surface that was shown before the final one";

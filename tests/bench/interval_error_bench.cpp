@@ -151,9 +151,10 @@ void predict(benchmark::State& state, const StoredForm& form) {
             const auto plan = need(core::plan_surface(stored(form, per_period), form.rake, p));
             using Clock = std::chrono::steady_clock;
             const auto start = Clock::now();
-            const auto surface = need(core::build_surface(plan));
+            auto surface = need(core::build_surface(plan));
             const auto built = Clock::now();
-            const auto errors = need(core::interval_errors(plan, surface, {}));
+            if (const auto done = core::state_interval_errors(plan, surface, {}); !done)
+                throw std::runtime_error(done.error().message);
             const auto stated = Clock::now();
             const auto where = true_places(*truth, plan, surface.mesh);
             std::vector<double> predicted, real;
@@ -163,9 +164,9 @@ void predict(benchmark::State& state, const StoredForm& form) {
                 if (surface.mesh.approximated[v] != 0 || std::isnan(off))
                     continue;
                 ++traced;
-                if (std::isnan(errors.error[v]))
+                if (std::isnan(surface.mesh.interval_error[v]))
                     continue;
-                predicted.push_back(double{errors.error[v]});
+                predicted.push_back(double{surface.mesh.interval_error[v]});
                 real.push_back(off);
                 // Nearer than this is not between stored times, but tracing.
                 const double floor = 1e-4 * form.separation;

@@ -15,26 +15,31 @@ namespace wakesurf::core {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-/// Every fourth of them leaves two.
-constexpr std::size_t least_times = 5;
-/// The errors told from every second and from every fourth stored time, both with `h` squared, differ by twelve times the
-/// next term, of which five are left in the first: with this bound it is right within a fifth, were there no further terms.
+/// The part of the error by which every third stored time may tell another one than every second. Both have the next
+/// term besides the one with h squared; with this bound the error is right within a fifth, were there no further terms.
 constexpr double disagreement = 0.5;
+/// The part of the error by which the errors may differ with where every second stored time begins.
+constexpr double difference = 0.7;
 /// A part of the separation: what is nearer than that is resolved, whatever the ratio.
 constexpr double negligible = 1e-4;
 constexpr int rings = 2; ///< of cells round a vertex
 /// Lines of a path surface that are traced at a time: their steps are held.
 constexpr std::size_t lines_at_once = 256;
 
+/// What tracing takes, in bytes a vertex: places through five series, and numbers round each vertex.
+constexpr std::size_t traced_vertex_bytes = 260;
+
 /// The stored times that the surface uses, from before its first to after its last.
-std::vector<double> stored_times(const Flow& flow, const SurfaceParameters& p) {
+std::vector<double>
+stored_times(const Flow& flow, const SurfaceParameters& p, std::optional<double> ended) {
     const auto range = flow.time_bounds();
     std::vector<double> times;
     if (!range)
         return times;
-    double first = std::min(p.from, p.to), last = std::max(p.from, p.to);
+    const double to = ended.value_or(p.to);
+    double first = std::min(p.from, to), last = std::max(p.from, to);
     if (direction_of(p) == Direction::Both)
-        first = p.from - (p.to - p.from);
+        first = p.from - (to - p.from);
     first = std::max(first, (*range)[0]);
     if (const auto before = flow.next_stored_time(std::nextafter(first, (*range)[1]), -1.0))
         times.push_back(*before);
@@ -45,6 +50,39 @@ std::vector<double> stored_times(const Flow& flow, const SurfaceParameters& p) {
             break;
     }
     return times;
+}
+
+/// How large the error of interpolating between stored times becomes, but for a factor that is the flow's: the square of
+/// the interval, integrated over time.
+class SquaredIntervals {
+  public:
+    explicit SquaredIntervals(std::vector<double> times) : times_(std::move(times)) {
+        for (std::size_t i = 1; i < times_.size(); ++i)
+            until_.push_back(until_.back() + std::pow(times_[i] - times_[i - 1], 3.0));
+    }
+
+    double between(double from, double to) const { return std::abs(until(to) - until(from)); }
+
+  private:
+    double until(double time) const {
+        const auto after = std::ranges::upper_bound(times_, time);
+        const auto i = static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(
+            after - times_.begin(), 1, static_cast<std::ptrdiff_t>(times_.size()) - 1));
+        const double interval = times_[i] - times_[i - 1];
+        return until_[i - 1] + (time - times_[i - 1]) * interval * interval;
+    }
+
+    std::vector<double> times_; ///< at least two
+    std::vector<double> until_{0.0};
+};
+
+/// Returns when a vertex's particle begins and ends.
+std::pair<double, double> ends_of(const SurfacePlan& plan, const Surface& surface, VertexId v) {
+    const SurfaceParameters& p = plan.parameters;
+    const double t = surface.mesh.t[v], until = surface.ended.value_or(p.to);
+    return p.kind == SurfaceKind::Streak ? std::pair(t, until)
+           : p.kind == SurfaceKind::Path ? std::pair(p.from, p.from + t)
+                                         : std::pair(p.from, until);
 }
 
 /// Where the particles of vertices come to through another series than the surface's own.
@@ -176,95 +214,146 @@ std::vector<double> largest_around(const QuadComplex& mesh, const std::vector<do
     return largest;
 }
 
+/// Gives vertices that are not traced the errors of their neighbours; none where most of these have none.
+void fill_between(QuadComplex& mesh) {
+    for (int ring = 0; ring < rings; ++ring) {
+        std::vector<float> sum(mesh.vertices(), 0.0F);
+        std::vector<int> with(mesh.vertices(), 0), without(with);
+        for (const Cell& cell : mesh.cells) {
+            const CellPolygon outline = polygon(cell);
+            for (std::uint32_t i = 0; i < outline.count; ++i) {
+                const VertexId v = outline.vertex[i],
+                               next = outline.vertex[(i + 1) % outline.count];
+                for (const auto& [to, from] : {std::pair(v, next), std::pair(next, v)}) {
+                    const bool none = std::isnan(mesh.interval_error[from]);
+                    sum[to] += none ? 0.0F : mesh.interval_error[from];
+                    with[to] += none ? 0 : 1;
+                    without[to] += none && mesh.approximated[from] == 0 ? 1 : 0;
+                }
+            }
+        }
+        for (VertexId v = 0; v < mesh.vertices(); ++v)
+            if (mesh.approximated[v] != 0 && std::isnan(mesh.interval_error[v]) &&
+                with[v] > without[v])
+                mesh.interval_error[v] = sum[v] / static_cast<float>(with[v]);
+    }
+}
+
 } // namespace
 
-std::string no_interval_errors(const SurfacePlan& plan) {
+std::string no_interval_errors(const SurfacePlan& plan, std::optional<double> ended) {
     const SurfaceKind kind = plan.parameters.kind;
     if (kind == SurfaceKind::Stream || kind == SurfaceKind::Level)
         return "the field is frozen: nothing is interpolated between stored times";
     if (!plan.flow->time_bounds())
         return "the flow is known at all times: nothing is interpolated between stored times";
-    const std::size_t times = stored_times(*plan.flow, plan.parameters).size();
-    return times < least_times ? "the surface uses " + std::to_string(times) +
-                                     " stored times, and at least 5 are needed"
-                               : "";
+    const std::size_t times = stored_times(*plan.flow, plan.parameters, ended).size();
+    return times < least_stored_times ? "the surface uses " + std::to_string(times) +
+                                            " stored times, and at least 5 are needed"
+                                      : "";
 }
 
-Result<IntervalErrors> interval_errors(const SurfacePlan& plan,
-                                       const Surface& surface,
-                                       std::stop_token stop,
-                                       const WorkPart& work) {
-    const QuadComplex& mesh = surface.mesh;
-    IntervalErrors out;
-    out.error.assign(mesh.vertices(), static_cast<float>(nowhere));
-    const std::vector<double> times = stored_times(*plan.flow, plan.parameters);
-    for (std::size_t i = 0; i + 1 < times.size(); ++i)
-        out.interval = std::max(out.interval, times[i + 1] - times[i]);
+Result<void> state_interval_errors(const SurfacePlan& plan,
+                                   Surface& surface,
+                                   std::stop_token stop,
+                                   const WorkPart& work) {
+    SurfaceStatistics& statistics = surface.statistics;
+    QuadComplex& mesh = surface.mesh;
+    statistics.interval_left_out = no_interval_errors(plan, surface.ended);
     std::vector<VertexId> traced;
     for (VertexId v = 0; v < mesh.vertices(); ++v)
         if (mesh.approximated[v] == 0)
             traced.push_back(v);
-    if (traced.empty())
-        return out;
-    if (auto room = work.takes(traced.size() * 4 * sizeof(Vec3)); !room)
+    if (statistics.interval_left_out.empty() && traced.empty())
+        statistics.interval_left_out = "the surface has no vertices that are traced";
+    if (!statistics.interval_left_out.empty())
+        return {};
+    if (auto room = work.takes(traced.size() * traced_vertex_bytes); !room)
         return tl::unexpected(room.error());
     const auto speed = plan.largest_speed(stop);
     if (!speed)
         return tl::unexpected(speed.error());
+    const std::vector<double> times = stored_times(*plan.flow, plan.parameters, surface.ended);
+    const SquaredIntervals every(times);
     const Twin twin(plan, surface, work);
-    const double from = plan.parameters.from;
-    const auto second = twin.places(*plan.flow->thinned(2, from), traced, *speed, stop);
-    if (!second)
-        return tl::unexpected(second.error());
-    const auto fourth = twin.places(*plan.flow->thinned(4, from), traced, *speed, stop);
-    if (!fourth)
-        return tl::unexpected(fourth.error());
-    std::vector<double> near(mesh.vertices(), nowhere), far(mesh.vertices(), nowhere);
+
+    /// Where particles come to through every `stride`-th stored time from the one that is `begin`, and how much
+    /// larger that makes the error.
+    struct Through {
+        std::vector<Vec3> place;
+        std::vector<double> larger;
+    };
+
+    const auto through = [&](std::size_t stride, std::size_t begin) -> Result<Through> {
+        const auto thin = plan.flow->thinned(stride, times[begin]);
+        const SquaredIntervals left(stored_times(*thin, plan.parameters, surface.ended));
+        std::vector<double> larger;
+        for (const VertexId v : traced) {
+            const auto [from, to] = ends_of(plan, surface, v);
+            const double all = every.between(from, to);
+            larger.push_back(all > 0.0 ? left.between(from, to) / all : 1.0);
+        }
+        return twin.places(*thin, traced, *speed, stop).map([&](std::vector<Vec3>&& place) {
+            return Through{std::move(place), std::move(larger)};
+        });
+    };
+    std::vector<Through> series;
+    for (const std::size_t stride : {std::size_t{2}, std::size_t{3}})
+        for (std::size_t begin = 0; begin < 2; ++begin) { // a third one costs more than it tells
+            auto one = through(stride, begin);
+            if (!one)
+                return tl::unexpected(one.error());
+            series.push_back(*std::move(one));
+        }
+    // Not a number where a particle does not arrive through one of the series.
+    std::vector<double> error(mesh.vertices(), nowhere), by_third(error), by_begin(error);
     for (std::size_t i = 0; i < traced.size(); ++i) {
-        const Vec3& here = mesh.position[traced[i]];
-        const Vec3 error = ((*second)[i] - here) / 3.0;
-        near[traced[i]] = glm::length(error);
-        far[traced[i]] = glm::length(((*fourth)[i] - here) / 15.0 - error);
+        const VertexId v = traced[i];
+        /// The error by two series together; zero where they are no coarser for this vertex.
+        const auto told = [&](const Through& a, const Through& b) {
+            const double larger = 0.5 * (a.larger[i] + b.larger[i]) - 1.0;
+            const Vec3 off = 0.5 * (a.place[i] + b.place[i]) - mesh.position[v];
+            return off * (larger > 1e-6 ? 1.0 / larger : 0.0);
+        };
+        const Vec3 off = told(series[0], series[1]);
+        error[v] = glm::length(off);
+        by_third[v] = glm::length(told(series[2], series[3]) - off);
+        // Young particles have met no interval that is longer in one of the two.
+        const bool both = std::min(series[0].larger[i], series[1].larger[i]) > 1.5;
+        by_begin[v] =
+            both ? 0.5 * glm::length(told(series[0], series[0]) - told(series[1], series[1]))
+                 : 0.0 * error[v];
     }
-    const std::vector<double> near_around = largest_around(mesh, near);
-    const std::vector<double> far_around = largest_around(mesh, far);
+    const std::vector<double> error_around = largest_around(mesh, error);
+    const std::vector<double> third_around = largest_around(mesh, by_third);
+    const std::vector<double> begin_around = largest_around(mesh, by_begin);
     std::vector<double> resolved;
-    const double least = negligible * surface.statistics.separation;
+    mesh.interval_error.assign(mesh.vertices(), static_cast<float>(nowhere));
     for (const VertexId v : traced) {
-        const bool agree = far_around[v] <= disagreement * near_around[v];
-        if (!(agree || near_around[v] <= least) || std::isnan(near[v]))
+        const bool agree = third_around[v] <= disagreement * error_around[v] &&
+                           begin_around[v] <= difference * error_around[v];
+        if (!agree && !(error_around[v] <= negligible * statistics.separation))
             continue;
-        resolved.push_back(near[v]);
-        out.error[v] = static_cast<float>(near[v]);
+        resolved.push_back(error[v]);
+        mesh.interval_error[v] = static_cast<float>(error[v]);
     }
-    if (resolved.empty())
-        return out;
+    fill_between(mesh);
+    if (resolved.empty()) {
+        statistics.interval_left_out = "the stored times are too far apart for this surface";
+        return {};
+    }
     const auto at = static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(resolved.size() - 1));
     std::nth_element(resolved.begin(), resolved.begin() + at, resolved.end());
     const double error99 = resolved[static_cast<std::size_t>(at)];
     const double unresolved =
         1.0 - static_cast<double>(resolved.size()) / static_cast<double>(traced.size());
-    out.stated = {error99, unresolved};
+    statistics.interval_error = {error99, unresolved};
+    double longest = 0.0;
+    for (std::size_t i = 0; i + 1 < times.size(); ++i)
+        longest = std::max(longest, times[i + 1] - times[i]);
     if (error99 > 0.0 && unresolved < 0.5)
-        out.advised_interval = out.interval * std::sqrt(surface.statistics.separation / error99);
-    return out;
-}
-
-Result<std::vector<float>> state_interval_errors(const SurfacePlan& plan,
-                                                 Surface& surface,
-                                                 std::stop_token stop,
-                                                 const WorkPart& work) {
-    SurfaceStatistics& statistics = surface.statistics;
-    statistics.interval_left_out = no_interval_errors(plan);
-    if (!statistics.interval_left_out.empty())
-        return std::vector<float>{};
-    return interval_errors(plan, surface, std::move(stop), work).map([&](IntervalErrors&& errors) {
-        statistics.interval_error = errors.stated;
-        statistics.advised_interval = errors.advised_interval;
-        if (!errors.stated)
-            statistics.interval_left_out = "the stored times are too far apart for this surface";
-        return std::move(errors.error);
-    });
+        statistics.advised_interval = longest * std::sqrt(statistics.separation / error99);
+    return {};
 }
 
 } // namespace wakesurf::core

@@ -17,6 +17,9 @@ namespace wakesurf::core {
 inline constexpr std::string_view deformation_name = "deformation";
 inline constexpr std::string_view approximated_name = "approximated";
 inline constexpr std::string_view error_name = "error";
+inline constexpr std::string_view interval_error_name = "interval_error";
+inline constexpr std::array derived_vertex_names{deformation_name, approximated_name, error_name,
+                                                 interval_error_name};
 /// Name the components of the velocity, along x, y and z.
 inline constexpr std::array<std::string_view, 3> velocity_component_names{
     "velocity_x", "velocity_y", "velocity_z"};

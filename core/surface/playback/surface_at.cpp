@@ -35,7 +35,8 @@ Result<SurfaceAt> played(const SurfacePlan& plan,
     if (!shown)
         return tl::unexpected(shown.error());
     std::vector<double> times(shown->mesh.mesh.vertices(), shown->time);
-    return SurfaceAt{std::move(shown->mesh.mesh), std::move(shown->statistics), std::move(times)};
+    return SurfaceAt{std::move(shown->mesh.mesh), std::move(shown->statistics), std::move(times),
+                     shown->time};
 }
 
 Result<SurfaceAt> level_at(const SurfacePlan& plan,
@@ -74,9 +75,11 @@ Result<SurfaceAt> surface_at(const SurfacePlan& plan,
         surface->statistics.quads = surface->mesh.cells.size();
         surface->statistics.vertices = surface->mesh.vertices();
         surface->statistics.error = stated_error(surface->mesh, surface->statistics.separation);
+        surface->ended = p.from + time_sign(p) * age;
     }
     auto times = vertex_times(*surface, p);
-    return SurfaceAt{std::move(surface->mesh), std::move(surface->statistics), std::move(times)};
+    return SurfaceAt{std::move(surface->mesh), std::move(surface->statistics), std::move(times),
+                     surface->ended};
 }
 
 } // namespace wakesurf::core

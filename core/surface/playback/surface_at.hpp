@@ -27,6 +27,8 @@ struct SurfaceAt {
     QuadComplex mesh;             ///< as it is then
     SurfaceStatistics statistics; ///< up to that time
     std::vector<double> times;    ///< at which each vertex is there
+    /// As of Surface.
+    std::optional<double> ended{};
 };
 
 /// @param time  nothing: at its end. Surfaces that do not move ignore it

@@ -25,7 +25,8 @@ _KINDS = {"stream": "all streamlines of one frozen moment, from the rake on: the
           "time": "a patch of particles released together, as it lies now: how does this piece of fluid stretch and fold?",
           "level": "where a scalar field has one value. No particle is released for it."}
 _REPORTED = ("surface", "complete", "kind", "quads", "vertices", "separation", "requestedSeparation", "coarsened", "maxEdge", "approximated",
-         "error99", "uncertain", "terminated", "torn", "dataEnd", "fieldRange", "stopped", "empty", "error")
+         "error99", "uncertain", "intervalError99", "intervalUnresolved", "advisedInterval", "intervalLeftOut",
+         "terminated", "torn", "dataEnd", "fieldRange", "stopped", "empty", "error")
 
 
 def _statistics(stats: Mapping[str, Any]) -> Json:

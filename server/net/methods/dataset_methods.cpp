@@ -1,5 +1,7 @@
 // dataset.list, dataset.describe, dataset.suggest, dataset.open, cache.status, probe.sample.
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "protocol/api/generated/dataset.hpp"
+#include "server/base/field_names.hpp"
 #include "server/data/datasets.hpp"
 #include "server/net/methods/caller.hpp"
 #include "server/net/methods/dataset_answers.hpp"
@@ -33,9 +35,13 @@ void dataset_describe(const Call& call, const protocol::DatasetDescribe& of, Rep
     reply.made_result(call.context.answers->description(of.dataset, *open));
 }
 
-json suggestion_json(const core::SceneSuggestion& scene) {
+/// @param fields  for each of the surfaces
+json suggestion_json(const core::SceneSuggestion& scene, const std::vector<std::string>& fields) {
+    json surfaces = protocol::written(scene.surfaces);
+    for (json& each : surfaces)
+        each["fields"] = fields;
     return {{"rake", protocol::written(scene.rake)},
-            {"surfaces", protocol::written(scene.surfaces)},
+            {"surfaces", std::move(surfaces)},
             {"why", scene.why}};
 }
 
@@ -52,15 +58,18 @@ void dataset_suggest(const Call& call, const protocol::DatasetSuggest& of, Reply
     if (!permit)
         return reply.fault(permit.error());
     const auto answer = std::make_shared<Reply>(std::move(reply));
+    std::vector<std::string> fields;
+    if (has_interval_errors(open->info))
+        fields.emplace_back(core::interval_error_name);
     call.context.prober.suggest(
         *open, Budgets::line(call.identity), call.stop,
         [answer, permit = std::move(*permit), &datasets = call.context.datasets, id = of.dataset,
-         store = open->store](const core::Result<core::SceneSuggestion>& scene) {
+         store = open->store, fields](const core::Result<core::SceneSuggestion>& scene) {
             if (replaced_since(datasets, id, store))
                 return answer->fault(replaced_meanwhile());
             if (!scene)
                 return answer->fault(scene.error());
-            answer->result(suggestion_json(*scene));
+            answer->result(suggestion_json(*scene, fields));
         });
 }
 

@@ -1,0 +1,129 @@
+// The error between stored times follows a surface's final state, and yields to every edit.
+#include "core/field/stored_flow.hpp"
+#include "tests/server/live/live_surface_fixture.hpp"
+#include "tests/support/sampled_source.hpp"
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace wakesurf::server::stated_intervals_test {
+
+namespace {
+
+/// A surface in a fluid that moves to and fro as one, stored 17 times.
+SurfaceJob stored_job(core::SurfaceKind kind, std::vector<SurfaceField> fields = {}) {
+    core::UniformGrid grid;
+    grid.origin = {-8, -4, -4};
+    grid.spacing = core::Vec3(1.0);
+    grid.dimensions = {33, 9, 9};
+    std::vector<double> times;
+    for (int k = 0; k <= 16; ++k)
+        times.push_back(0.25 * k);
+    core::SurfaceParameters p;
+    p.kind = kind;
+    p.to = 4.0;
+    p.separation = 0.25;
+    SurfaceJob job;
+    job.plan = core::plan_surface(core::make_stored_flow(std::make_shared<core::TimeStepCache>(
+                                      std::make_shared<tests::SampledSource>(
+                                          grid, std::move(times),
+                                          [](const core::Vec3&, double t) {
+                                              return core::Vec3(1.0 + std::sin(2.0 * t), 0.0, 0.25);
+                                          }),
+                                      core::TimeStepCache::Options{})),
+                                  {core::Rake::Kind::Line, {{0, -1, 0}, {0, 1, 0}}, 5}, p)
+                   .value();
+    job.lattice = protocol::lattice_over({{-8, -4, -4}, {24, 4, 4}});
+    job.fields = std::move(fields);
+    return job;
+}
+
+constexpr std::array moving{core::SurfaceKind::Path, core::SurfaceKind::Streak};
+
+} // namespace
+
+class StatedIntervals : public LiveSurfaceTest {};
+
+TEST_F(StatedIntervals, FollowTheFinalStateWithoutChangingIt) {
+    for (const core::SurfaceKind kind : moving) {
+        done.clear();
+        surface->rebuild(stored_job(kind));
+        settle();
+        ASSERT_EQ(done.size(), 2U);
+        EXPECT_TRUE(done[0].complete);
+        EXPECT_TRUE(done[0].interval_pending);
+        EXPECT_FALSE(done[0].statistics.interval_error);
+        EXPECT_EQ(done[0].statistics.interval_left_out, "it is not estimated yet");
+        EXPECT_TRUE(done[1].complete);
+        EXPECT_FALSE(done[1].interval_pending);
+        ASSERT_TRUE(done[1].statistics.interval_error);
+        EXPECT_GT(done[1].statistics.interval_error->error99, 1e-4);
+        EXPECT_EQ(done[1].statistics.interval_left_out, "");
+        EXPECT_EQ(done[0].state_sum, done[1].state_sum);
+        EXPECT_EQ(done[0].statistics.vertices, done[1].statistics.vertices);
+    }
+}
+
+TEST_F(StatedIntervals, ComeAsValuesOfTheField) {
+    surface->rebuild(stored_job(core::SurfaceKind::Streak,
+                                {{"interval_error", SurfaceField::Source::IntervalError}}));
+    const auto missing = [&] {
+        const protocol::WireMesh& mesh = *decoder.newest()->mesh;
+        std::size_t count = 0;
+        for (const std::uint16_t code : mesh.codes[3])
+            count += std::isnan(mesh.ranges[3].value(code)) ? 1 : 0;
+        return count;
+    };
+    while (done.empty() && turn())
+        look();
+    look();
+    EXPECT_EQ(missing(), decoder.newest()->mesh->vertices());
+    settle();
+    ASSERT_TRUE(surface->outcome().statistics.interval_error);
+    EXPECT_LT(missing(), decoder.newest()->mesh->vertices() / 2);
+}
+
+TEST_F(StatedIntervals, OfAReplacedSurfaceAreNotWaitedFor) {
+    surface->rebuild(stored_job(core::SurfaceKind::Streak));
+    while (done.empty() && turn())
+        ;
+    ASSERT_TRUE(surface->outcome().interval_pending);
+    EXPECT_FALSE(surface->busy());
+    surface->rebuild(stored_job(core::SurfaceKind::Streak));
+    EXPECT_TRUE(surface->busy());
+    settle();
+    for (const SurfaceOutcome& outcome : done)
+        EXPECT_TRUE(outcome.epoch == 2 || !outcome.statistics.interval_error);
+    EXPECT_TRUE(surface->outcome().statistics.interval_error);
+}
+
+TEST_F(StatedIntervals, AreThoseOfTheTimeThatIsShown) {
+    surface->show(4.0, false, false);
+    surface->rebuild(stored_job(core::SurfaceKind::Streak));
+    settle();
+    const auto whole = surface->outcome().statistics.interval_error;
+    surface->show(2.0, false, true);
+    while (surface->outcome().interval_pending == false && turn())
+        ;
+    surface->show(3.0, false, true); // while the job for the other time waits
+    settle();
+    const auto later = surface->outcome().statistics.interval_error;
+    surface->show(0.5, false, true);
+    settle();
+    ASSERT_TRUE(whole && later);
+    EXPECT_NE(whole->error99, later->error99);
+    EXPECT_EQ(surface->outcome().statistics.interval_left_out,
+              "the surface uses 3 stored times, and at least 5 are needed");
+}
+
+TEST_F(StatedIntervals, AreLeftOutWithTheReasonWhereThereAreNone) {
+    surface->rebuild(job_of(core::SurfaceKind::Streak));
+    settle();
+    ASSERT_EQ(done.size(), 1U);
+    EXPECT_FALSE(done[0].interval_pending);
+    EXPECT_EQ(done[0].statistics.interval_left_out,
+              "the flow is known at all times: nothing is interpolated between stored times");
+}
+
+} // namespace wakesurf::server::stated_intervals_test
