@@ -15,7 +15,7 @@ from .names import check_names, meant
 from .plain import plain
 
 ALWAYS = ("speed", "age", "s", "constant")
-DERIVED = ("vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion", "deformation", "approximated", "error")
+DERIVED = ("vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion", "deformation", "approximated", "error", "interval_error")
 _PARTS: Dict[str, Tuple[float, float]] = {"opacity": (0, 1), "smoke": (0, 1), "density": (0.125, 8)}
 
 

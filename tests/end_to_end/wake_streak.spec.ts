@@ -229,8 +229,9 @@ async function distancesSeen(): Promise<number[]> {
 }
 
 /** How bright each of these pixels is in a figure as large as the picture. */
-async function brightness(outlined: boolean): Promise<number[]> {
-    await page.locator('#silhouettes').setChecked(outlined);
+async function brightness(box: '#silhouettes' | '#hatched', on: boolean): Promise<number[]> {
+    await page.locator(box).setChecked(on);
+    await settled(page);
     const { size, side } = await picture();
     const setting = { ...size, background: 'white', axes: false, bar: false, rake: false, caption: null } as const;
     const address = await page.evaluate((each) => window.wakesurf!.picture(each), setting);
@@ -269,7 +270,7 @@ describe('outlines of a creased surface', () => {
             ],
         ] as [Vec3, Vec3][]) {
             await lookFrom(position, target);
-            const [drawn, bare] = [await brightness(true), await brightness(false)];
+            const [drawn, bare] = [await brightness('#silhouettes', true), await brightness('#silhouettes', false)];
             const [distances, { side }] = [await distancesSeen(), await picture()];
             const isDark = drawn.map((light, i) => light < 0.7 * bare[i]!);
             let [even, specks, lines] = [0, 0, 0];
@@ -296,5 +297,18 @@ describe('outlines of a creased surface', () => {
             expect(lines).toBeGreaterThan(100);
             expect(specks).toBe(0);
         }
+    });
+});
+
+describe('the error between stored times', () => {
+    it('is stated, and what it puts off by more than the separation is hatched, until that is switched off', async () => {
+        await page.locator('#lines-group summary').click();
+        const hatched = await brightness('#hatched', true);
+        await page.locator('#between-times', { hasText: /^Between stored times: 99 % within .* not resolved/ }).waitFor();
+        const bare = await brightness('#hatched', false);
+        const [dark, surface] = [bare.filter((light, i) => hatched[i]! < 0.7 * light), bare.filter((light) => light < 245)];
+        expect(dark.length).toBeGreaterThan(50);
+        expect(dark.length).toBeLessThan(0.3 * surface.length);
+        expect(await brightness('#hatched', true)).toEqual(hatched);
     });
 });

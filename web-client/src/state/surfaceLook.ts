@@ -20,7 +20,7 @@ export type RangeOf = (typeof rangesOf)[number];
 type Pair = readonly [number, number];
 
 export interface SurfaceLook {
-    /** 'constant', 'speed', 'age', 's', what the server derives ('deformation', 'approximated', 'error',
+    /** 'constant', 'speed', 'age', 's', what the server derives ('deformation', 'approximated', 'error', 'interval_error',
      *  'vorticity', 'q_criterion'), or 'field:' and the name of a field of the dataset. */
     colourBy: string;
     /** #rrggbb where `colourBy` is 'constant'; null: as the rake. */
@@ -42,6 +42,8 @@ export interface SurfaceLook {
     /** 0 .. 1: thinner the more it has been stretched and the older it is. */
     smoke: number;
     silhouettes: boolean;
+    /** Marks where interpolating between stored times may put the surface off by more than the separation. */
+    hatched: boolean;
     lines: LineKind;
     /** What is left of the surface: all, or lines, ribbons or arrows on it. */
     pieces: PieceKind;
@@ -80,6 +82,7 @@ export const usualLook: SurfaceLook = {
     angleOpacity: false,
     smoke: 0,
     silhouettes: false,
+    hatched: true,
     lines: 'none',
     pieces: 'whole',
     pieceEvery: null,
@@ -126,6 +129,7 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     angleOpacity: isFlag,
     smoke: isPart,
     silhouettes: isFlag,
+    hatched: isFlag,
     lines: isOneOf(lineKinds),
     pieces: isOneOf(pieceKinds),
     pieceEvery: isLength,

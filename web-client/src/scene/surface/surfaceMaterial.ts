@@ -83,6 +83,7 @@ function ownUniforms(textures: SurfaceTextures) {
         logarithmic: { value: false },
         backSide: { value: 1 },
         silhouettes: { value: false },
+        hatchAbove: { value: far },
         angleOpacity: { value: false },
         smoke: { value: 0 },
         stretchKnown: { value: false },
@@ -117,6 +118,7 @@ export interface MeshFacts {
     /** What t is counted from in the shaders. */
     tFrom: number;
     hasStretch: boolean;
+    hasIntervals: boolean;
     hasFlow: boolean;
     hasUnits: boolean;
     hasUnresolved: boolean;
@@ -211,6 +213,7 @@ export class SurfaceMaterials {
         this.isDense = style.opacity >= 0.5 && style.smoke === 0;
         own.backSide.value = backSides.indexOf(style.backSide);
         own.silhouettes.value = style.silhouettes && !style.points;
+        own.hatchAbove.value = facts.hasIntervals ? (style.hatchAbove ?? far) : far;
         own.angleOpacity.value = style.angleOpacity;
         own.smoke.value = style.smoke;
         own.fixedGrid.value = style.fixedGrid && facts.hasUnresolved;

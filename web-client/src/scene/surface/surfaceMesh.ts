@@ -20,6 +20,7 @@ type Range = [number, number];
 
 const smallestCapacity = 1 << 14;
 export const stretchName = 'deformation';
+const intervalName = 'interval_error';
 /** Name the components of the velocity, which the flow texture follows. */
 export const flowNames = ['velocity_x', 'velocity_y', 'velocity_z'] as const;
 
@@ -30,6 +31,7 @@ const kinds = {
     seed: { size: 2, array: Float32Array },
     scalar: { size: 1, array: Float32Array },
     stretch: { size: 1, array: Float32Array },
+    interval: { size: 1, array: Float32Array },
     cut: { size: 1, array: Uint8Array },
     flowX: { size: 1, array: Float32Array },
     flowY: { size: 1, array: Float32Array },
@@ -50,6 +52,7 @@ export class SurfaceMesh {
     scalarRange: Range = emptyRange();
     /** What t is counted from in its buffer: MeshChange.tFrom. */
     tFrom = 0;
+    private intervalKnown = false;
     private seenT: Range = emptyRange();
     private vertexCapacity = 0;
     private indexCapacity = 0;
@@ -73,6 +76,11 @@ export class SurfaceMesh {
 
     get hasStretch(): boolean {
         return this.has('stretch');
+    }
+
+    /** Whether any vertex has an error between stored times: none has until it is estimated. */
+    get hasIntervals(): boolean {
+        return this.has('interval') && this.intervalKnown;
     }
 
     get hasFlow(): boolean {
@@ -150,6 +158,10 @@ export class SurfaceMesh {
 
     private takeScalar(name: string, values: Float32Array, from: number): void {
         if (name === stretchName) this.refill('stretch', values, from);
+        if (name === intervalName) {
+            this.refill('interval', values, from);
+            this.intervalKnown = (from > 0 && this.intervalKnown) || values.some(Number.isFinite);
+        }
         const component = flowNames.findIndex((each) => each === name);
         if (component >= 0) this.refill(flowKinds[component]!, values, from);
         if (name === this.wantedScalar && from === 0) this.heldScalar = name;

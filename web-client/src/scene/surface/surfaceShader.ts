@@ -26,6 +26,7 @@ attribute float scalar;
 attribute float stretch;
 #ifndef SPLATS
 attribute float cut;
+attribute float interval;
 #endif
 // What a fixed grid cannot resolve: what shape takes away of smoke, and how far sides leave the plane of the
 // vertex.
@@ -47,6 +48,8 @@ out vec3 flow;
 // How long units of s and t are on the surface.
 out vec2 unitLength;
 out vec2 hidden;
+// How far interpolating between stored times puts it off.
+out float off;
 // s once more, with its jump on the other side of a closed rake.
 out float turned;
 #ifdef TEXTURED
@@ -74,8 +77,10 @@ void main() {
     float value = source == 1 ? scalar : source == 2 ? seed.x : age;
 #ifdef SPLATS
     values = vec4(value, age, stretch, 0.0);
+    off = 0.0; // sixteen attributes are all that there may be
 #else
     values = vec4(value, age, stretch, cut);
+    off = interval;
 #endif
     flow = vec3(flowX, flowY, flowZ);
     unitLength = unit;
@@ -101,6 +106,7 @@ flat in vec4 through;
 flat in vec4 beside;
 #endif
 in vec2 hidden;
+in float off;
 in float turned;
 uniform int source;
 // Of the picture for one of CSS: spacing and widths are meant in these.
@@ -165,6 +171,7 @@ uniform bool inverted;
 uniform bool logarithmic;
 uniform int backSide;
 uniform bool silhouettes;
+uniform float hatchAbove;
 uniform bool angleOpacity;
 uniform float smoke;
 uniform bool stretchKnown;
@@ -188,6 +195,13 @@ vec3 backColour(vec3 base) {
     if (backSide == 1) return mix(base, vec3(grey), 0.15) * 0.8;
     if (backSide == 2) return mix(vec3(grey), vec3(0.93, 0.36, 0.12), 0.72) * (0.45 + 0.75 * grey);
     return base;
+}
+
+/** Oblique lines where it may be off by more than that, or by no one knows how much. */
+vec3 hatched(vec3 base) {
+    if (hatchAbove >= 1e30 || off <= hatchAbove) return base;
+    float stripe = fract((gl_FragCoord.x + gl_FragCoord.y) / (7.0 * max(pixelRatio, 0.7)));
+    return base * (stripe < 0.3 ? 0.3 : 1.0);
 }
 
 /** Light from over the viewer's shoulder, on both sides. */
@@ -240,7 +254,7 @@ void main() {
 #ifdef TRANSPARENT
     if (isPeeledOff()) discard;
 #endif
-    vec3 base = baseColour();
+    vec3 base = hatched(baseColour());
     if (!gl_FrontFacing) base = backColour(base);
 #ifdef TEXTURED
     base *= flowTexture(facing);

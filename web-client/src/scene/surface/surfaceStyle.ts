@@ -43,6 +43,8 @@ export interface SurfaceStyle {
      *  not sent. */
     areaPerSeed: number;
     silhouettes: boolean;
+    /** Hatched where the error between stored times is larger, or not known; null: nowhere. */
+    hatchAbove: number | null;
     lines: LinePattern;
     pieces: Pieces;
     /** Lengths: from one piece to the next, and of ribbons and of arrows' heads. */
@@ -86,6 +88,7 @@ export const plainStyle: SurfaceStyle = {
     fixedGrid: false,
     areaPerSeed: 1,
     silhouettes: false,
+    hatchAbove: null,
     lines: 'none',
     pieces: 'whole',
     pieceEvery: 1,

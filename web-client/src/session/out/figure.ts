@@ -49,9 +49,9 @@ export class Figure {
 /** Why it is not; empty where it is. Of a failed surface it says what is missing, for ever. `time`: of the
  *  clock, null: as it is. */
 export function unfinishedSurface(
-    state: Pick<AppState, 'displayed' | 'hiddenSurfaces' | 'requestedEpochs'>,
+    state: Pick<AppState, 'displayed' | 'hiddenSurfaces' | 'outcomes' | 'requestedEpochs'>,
     view: Pick<ViewState, 'lookOf'>,
-    { surface, kind, from, to }: SurfaceRecord,
+    { surface, kind, from, to, fields }: SurfaceRecord,
     time: number | null,
 ): string {
     if (state.hiddenSurfaces.value.has(surface)) return '';
@@ -62,8 +62,9 @@ export function unfinishedSurface(
     if (displayed.phase !== 'final') return `${surface} is ${displayed.phase}`;
     // Without them it is drawn as if they never came: colours of before, smoke as the picture guesses it.
     const look = view.lookOf(surface);
-    const missing = attributesOf(look).filter((name) => displayed.withheld.includes(name));
+    const missing = attributesOf(look, fields).filter((name) => displayed.withheld.includes(name));
     if (missing.length > 0) return `${surface} has no ${missing.join(', ')} yet`;
+    if (state.outcomes.value.get(surface)?.intervalPending === true) return `the error of ${surface} is not estimated yet`;
     if (look.curved && !displayed.curved) return `the cells of ${surface} are not curved yet`;
     if (time !== null && kind !== 'stream' && !isShownAt({ from, to }, displayed.time, time)) {
         return `${surface} is shown at ${displayed.time}`;

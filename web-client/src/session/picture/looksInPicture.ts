@@ -30,7 +30,8 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
         const ranges = { automatic: fixed ?? automaticRanges(state, view), fixed: fixed !== null };
         for (const [id, record] of state.surfaces.value) {
             const rake = state.rakes.value.get(record.rake);
-            const facts = { record, rake, dataset: state.dataset.value, speedRange: state.speedRange.value, ...ranges };
+            const outcome = state.outcomes.value.get(id);
+            const facts = { record, rake, outcome, dataset: state.dataset.value, speedRange: state.speedRange.value, ...ranges };
             scene.surfaces.setStyle(id, styleOf({ look: view.lookOf(id), ...facts }));
         }
         scene.loop.request();
@@ -51,7 +52,7 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
             const units = look.pieces === 'whole' ? {} : { units: closed ? ('closed' as const) : ('open' as const) };
             const fixed = look.smoke > 0 && record.refine === 'off' ? { unresolved: true as const } : {};
             const curved = look.curved ? { curved: view.pixelsPerLength.value } : {};
-            const wish = { attributes: attributesOf(look), parts, trimmed: look.trimmed, ...units, ...fixed, ...curved };
+            const wish = { attributes: attributesOf(look, record.fields), parts, trimmed: look.trimmed, ...units, ...fixed, ...curved };
             const text = JSON.stringify(wish);
             if (sent.get(id) === text) continue;
             sent.set(id, text);

@@ -11,19 +11,27 @@ import { announceMissingFields, changeLookWithFields, fieldsWith } from './surfa
 
 const velocity = ['velocity_x', 'velocity_y', 'velocity_z'];
 const normals = ['normal_x', 'normal_y', 'normal_z'];
-const byPressure: SurfaceLook = { ...usualLook, colourBy: 'field:p' };
+const byPressure: SurfaceLook = { ...usualLook, hatched: false, colourBy: 'field:p' };
 
 /** Returns what is asked for, and what is said, when a user with this look comes to a surface with these
  *  fields. */
-function asked(fields: string[], look: SurfaceLook) {
+function asked(fields: string[], look: Partial<SurfaceLook>) {
     const changes: string[][] = [];
     const [state, view] = [new AppState(), new ViewState()];
     const edits = { changeSurface: (change: Partial<SurfaceIntent>) => void changes.push([...change.fields!]) };
-    changeLookWithFields({ edits, state, view }, surfaceOf('s1', { fields }), look);
+    changeLookWithFields({ edits, state, view }, surfaceOf('s1', { fields }), { hatched: false, ...look });
     return { changes, said: state.notices.all.value.get('fields') ?? '' };
 }
 
 describe('the fields of a surface', () => {
+    it('have the error between stored times where the surface is to be hatched, and there is room', () => {
+        expect(asked(['p'], { hatched: true }).changes).toEqual([['p', 'interval_error']]);
+        expect(asked(['p', 'interval_error'], { hatched: true }).changes).toEqual([]);
+        const { changes, said } = asked(['a', 'b', 'c', 'd', 'e'], { hatched: true });
+        expect([changes, said]).toEqual([[], 'A surface carries 5 fields for everybody: interval_error has no room.']);
+        expect(asked(['a', 'b', 'c', 'd', 'interval_error'], { colourBy: 'field:p' }).changes).toEqual([['a', 'b', 'c', 'd', 'p']]);
+    });
+
     it('have room for a flow texture, its colour and the colour of someone else', () => {
         const { changes, said } = asked(['vorticity'], { ...byPressure, texture: true });
         expect([changes, said]).toEqual([[['vorticity', 'p', ...velocity]], '']);
@@ -32,7 +40,7 @@ describe('the fields of a surface', () => {
 
     it('are not asked for again where they are', () => {
         expect(asked(['p'], byPressure)).toEqual({ changes: [], said: '' });
-        expect(asked([...velocity, 'vorticity'], { ...usualLook, texture: true })).toEqual({ changes: [], said: '' });
+        expect(asked([...velocity, 'vorticity'], { texture: true })).toEqual({ changes: [], said: '' });
     });
 
     it('leave out what the look can do without, before the colours of someone else go, and say so', () => {
@@ -40,7 +48,7 @@ describe('the fields of a surface', () => {
         const smoke = asked(['vorticity'], { ...texture, smoke: 1 });
         expect(smoke.changes).toEqual([['vorticity', 'p', ...velocity]]);
         expect(smoke.said).toBe('A surface carries 5 fields for everybody: deformation has no room.');
-        const curved = asked(['a', 'b', 'c'], { ...usualLook, curved: true });
+        const curved = asked(['a', 'b', 'c'], { curved: true });
         expect(curved.changes).toEqual([]);
         expect(curved.said).toContain('normal_x, normal_y, normal_z have no room.');
         expect(fieldsWith(['a', 'b'], { ...usualLook, curved: true }).fields).toEqual(['a', 'b', ...normals]);

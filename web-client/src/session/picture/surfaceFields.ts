@@ -12,7 +12,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { TurnAlong } from '../edits/undoHistory.ts';
 import type { OwnCopy } from '../sessions/ownCopy.ts';
-import { attributeOf, attributesOf, deformation, needsFlow } from './surfaceStyleOf.ts';
+import { attributeOf, attributesOf, deformation, intervalError, needsFlow } from './surfaceStyleOf.ts';
 
 export interface FieldsWanted {
     fields: string[];
@@ -23,7 +23,7 @@ export interface FieldsWanted {
 }
 
 /** What goes first where there is no room: of one of these, nothing is left without the others. */
-const dispensable: readonly (readonly string[])[] = [normalNames, [deformation], flowNames];
+const dispensable: readonly (readonly string[])[] = [[intervalError], normalNames, [deformation], flowNames];
 
 /** Returns what a look cannot be drawn without. */
 function neededFields(look: SurfaceLook): string[] {
@@ -31,8 +31,9 @@ function neededFields(look: SurfaceLook): string[] {
     return [...new Set([...(colour === null || colour === 'speed' ? [] : [colour]), ...(needsFlow(look) ? flowNames : [])])];
 }
 
-/** A surface's fields with those that a look needs. */
-export function fieldsWith(fields: readonly string[], look: SurfaceLook): FieldsWanted {
+/** A surface's fields with those that a look needs.
+ *  @param hatch it is to be hatched from now on */
+export function fieldsWith(fields: readonly string[], look: SurfaceLook, hatch = false): FieldsWanted {
     const wanted = neededFields(look);
     let others = fields.filter((name) => !wanted.includes(name));
     const tooMany = (): boolean => others.length + wanted.length > limits.fields;
@@ -41,7 +42,7 @@ export function fieldsWith(fields: readonly string[], look: SurfaceLook): Fields
     const all = [...others, ...wanted];
     const gone = fields.filter((name) => !all.includes(name));
     const missing: string[] = [];
-    for (const group of [look.smoke > 0 ? [deformation] : [], look.curved ? normalNames : []]) {
+    for (const group of [look.smoke > 0 ? [deformation] : [], look.curved ? normalNames : [], hatch ? [intervalError] : []]) {
         const more = group.filter((name) => !all.includes(name));
         if (all.length + more.length <= limits.fields) all.push(...more);
         else missing.push(...more.filter((name) => !fields.includes(name)));
@@ -66,9 +67,11 @@ export function changeLookWithFields(
     const before = view.lookOf(surface);
     const look = { ...before, ...change };
     view.changeLook(surface, change);
-    const isNew = (name: string): boolean => !attributesOf(before).includes(name) && !['speed', ...record.fields].includes(name);
-    if (state.role.value === 'viewer' || !attributesOf(look).some(isNew)) return;
-    const { fields, gone, missing } = fieldsWith(record.fields, look);
+    const { fields: carried } = record;
+    const isNew = (name: string): boolean => !attributesOf(before, carried).includes(name) && !['speed', ...carried].includes(name);
+    const hatch = change.hatched === true && !carried.includes(intervalError);
+    if (state.role.value === 'viewer' || !(hatch || attributesOf(look, carried).some(isNew))) return;
+    const { fields, gone, missing } = fieldsWith(carried, look, hatch);
     const added = fields.some((name) => !record.fields.includes(name));
     // What has nothing to make room for stays.
     if (added) edits.changeSurface({ fields }, undefined, null, turnedAlong(view, surface, before, change));

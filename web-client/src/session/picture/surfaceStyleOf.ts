@@ -1,7 +1,7 @@
 // From the look that a user wants to what the picture needs: names become attributes, ranges those of the
 // dataset.
 import { normalNames } from '../../mesh/meshChange.ts';
-import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, SurfaceStats, Vec3 } from '../../protocol/messages.ts';
 import { niceStep } from '../../scene/base/numbers.ts';
 import { steadyRange } from '../../scene/surface/colourMap.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
@@ -14,9 +14,10 @@ export const deformation = 'deformation';
 export const vorticity = 'vorticity';
 export const qCriterion = 'q_criterion';
 export const estimatedError = 'error';
+export const intervalError = 'interval_error';
 /** Name the components of the vorticity along x, y and z. */
 export const vorticityComponents = ['vorticity_x', 'vorticity_y', 'vorticity_z'] as const;
-const derived: readonly string[] = [deformation, vorticity, ...vorticityComponents, qCriterion, 'approximated', estimatedError];
+const derived: readonly string[] = [deformation, vorticity, ...vorticityComponents, qCriterion, 'approximated', estimatedError, intervalError];
 const fieldMark = 'field:';
 const usualColour = '#8fb8de';
 
@@ -26,6 +27,8 @@ export interface StyleFacts {
     rake: RakeRecord | undefined;
     dataset: DatasetDescription | null;
     speedRange: readonly [number, number];
+    /** Of the newest complete state. */
+    outcome?: SurfaceStats | undefined;
     /** The ranges of fields for which the user has chosen none, by meaningOf(). */
     automatic: AutomaticRanges;
     /** They are those of a film. */
@@ -60,7 +63,7 @@ export function isSigned(colourBy: string): boolean {
 
 /** Over powers of ten: most of the surface has a small part of what its worst place has. */
 export function isLogarithmic(colourBy: string): boolean {
-    return colourBy === estimatedError;
+    return colourBy === estimatedError || colourBy === intervalError;
 }
 
 /** The attribute on the wire; null for what is made from s and t, or is constant. */
@@ -68,13 +71,15 @@ export function attributeOf(colourBy: string): string | null {
     return colourBy === 'speed' ? 'speed' : fieldOf(colourBy);
 }
 
-/** All attributes that a look needs, those that it can do without last. */
-export function attributesOf(look: SurfaceLook): string[] {
+/** All attributes that a look needs, those that it can do without last.
+ *  @param fields of the surface: it is hatched only where it carries what that takes */
+export function attributesOf(look: SurfaceLook, fields: readonly string[] = []): string[] {
     const names = [
         attributeOf(look.colourBy),
         ...(needsFlow(look) ? flowNames : []),
         look.smoke > 0 ? deformation : null,
         ...(look.curved ? normalNames : []),
+        look.hatched && fields.includes(intervalError) ? intervalError : null,
     ];
     return [...new Set(names.filter((name) => name !== null))];
 }
@@ -109,6 +114,7 @@ export function styleOf(facts: StyleFacts): SurfaceStyle {
         texture: look.texture && hasFlow(record),
         textureMoves: !look.animated ? 'no' : record.kind === 'stream' ? 'byItself' : 'withTime',
         from: record.from,
+        hatchAbove: look.hatched ? (facts.outcome?.separation ?? null) : null,
         fixedGrid: record.refine === 'off',
         areaPerSeed: lengthOf(rake?.points ?? []) * sweepOf(record, speedRange),
     };

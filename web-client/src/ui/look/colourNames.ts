@@ -7,6 +7,7 @@ import {
     colourFields,
     deformation,
     estimatedError,
+    intervalError,
     qCriterion,
     vorticity,
     vorticityComponents,
@@ -51,6 +52,7 @@ export function colourChoices(
         { value: qCriterion, words: 'Vortices (Q)' },
         { value: 'approximated', words: 'Approximated' },
         { value: estimatedError, words: 'Estimated error' },
+        { value: intervalError, words: 'Error between stored times' },
     ];
     return [
         { value: 'speed', words: 'Speed' },
@@ -113,7 +115,10 @@ export function colourTitle(
     if (isComponent(scalar)) return withRate(vorticityName(scalar), time, '1/');
     if (scalar === qCriterion) return withRate('Q, above 0: vortex', time, '1/', '²');
     if (scalar === 'approximated') return 'Approximated (0: no, 1: yes)';
-    if (scalar === estimatedError) return units.length === '' ? 'Estimated error' : `Estimated error (${units.length})`;
+    if (scalar === estimatedError || scalar === intervalError) {
+        const name = scalar === estimatedError ? 'Estimated error' : 'Error between stored times';
+        return units.length === '' ? name : `${name} (${units.length})`;
+    }
     const field = scalar === 'speed' ? velocity : dataset?.fields.find(({ name }) => name === scalar);
     const name = scalar === 'speed' ? 'Speed' : isolated(scalar);
     return field?.unit === undefined ? name : `${name} (${isolated(field.unit)})`;

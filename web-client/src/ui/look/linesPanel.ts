@@ -4,7 +4,7 @@ import type { SurfaceRecord } from '../../protocol/messages.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import { seedLinesOf } from '../../session/out/exportNames.ts';
 import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
-import { hasFlow, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
+import { canCome, hasFlow, intervalError, pieceLengths } from '../../session/picture/surfaceStyleOf.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { LineKind, PieceKind, SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -47,8 +47,25 @@ export class LinesPanel extends LookGroup<LinesModel> {
                 shown: `× ${Number(density.toPrecision(2))}`,
                 change: (power) => this.change({ density: 2 ** power }),
             })}
-            ${this.waiting(look)}
+            ${this.hatching(look)} ${this.waiting(look)}
         `;
+    }
+
+    private hatching({ hatched }: SurfaceLook): TemplateResult | typeof nothing {
+        const { state } = this.model;
+        const record = state.surface.value;
+        if (record === undefined || !canCome(state.dataset.value, intervalError)) return nothing;
+        const carried = record.fields.includes(intervalError);
+        return checkRow(
+            'Hatched beyond the stored times',
+            hatched && carried,
+            (on) => changeLookWithFields(this.model, record, { hatched: on }),
+            {
+                id: 'hatched',
+                title: 'Where interpolating between stored times may put the surface off by more than the separation, or by no one knows how much',
+                disabled: !carried && state.role.value === 'viewer',
+            },
+        );
     }
 
     /** The velocity travels with the surface from then on, for every user. */

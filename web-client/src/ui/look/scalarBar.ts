@@ -8,6 +8,8 @@ import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { intervalError } from '../../session/picture/surfaceStyleOf.ts';
+import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import { colourTitle } from './colourNames.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
@@ -104,8 +106,21 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         this.hidden = this.bars.length + this.missing.size === 0;
         const more = all.length - this.bars.length;
         return html`${this.bars.map((bar) => this.bar(bar, all.length > 1))}
-        ${more > 0 ? html`<p class="range">and ${more} more</p>` : nothing}
+        ${more > 0 ? html`<p class="range">and ${more} more</p>` : nothing} ${this.errors()}
         ${[...this.missing].map((title) => html`<p class="range lacked">${title}: no values, so one colour</p>`)}`;
+    }
+
+    /** How far the selected surface may be off, for figures: they repeat what stands here. */
+    private errors(): TemplateResult | typeof nothing {
+        const { state, view } = this.model;
+        const id = state.activeSurface.value ?? '';
+        const { error99, intervalError99, intervalUnresolved = 0, separation = 0 } = state.outcomes.value.get(id) ?? {};
+        if (intervalError99 === undefined) return nothing;
+        const short = (value: number): string => withUnit(shortNumber(Number(value.toPrecision(2))), view.units.value.length);
+        const hatched = view.lookOf(id).hatched && state.surfaces.value.get(id)?.fields.includes(intervalError) === true;
+        return html`${error99 === undefined ? nothing : html`<p class="range">99 % traced within ${short(error99)}</p>`}
+            <p class="range">between stored times within ${short(intervalError99)}</p>
+            ${hatched && (intervalUnresolved > 0 || intervalError99 > separation) ? html`<p class="range">hatched: beyond the separation</p>` : nothing}`;
     }
 
     /** One for each meaning of colours that is seen, that of the selected surface first. */

@@ -10,7 +10,7 @@ import { meshIsCoarse } from '../../session/out/exportNames.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import { faster, type LessWork, progressWords, type SurfaceProgress, untilHere } from '../../session/surface/surfaceProgress.ts';
-import type { AppState, SurfacePhase } from '../../state/appState.ts';
+import type { AppState, SurfacePhase, Units } from '../../state/appState.ts';
 import { type LatencyPart, latencyParts } from '../../state/latency.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -40,8 +40,12 @@ export class StatusPanel extends ModelElement<StatusModel> {
         dl {
             gap: 3px 12px;
         }
-        .counts {
+        .counts,
+        .between {
             margin: 2px 0 0;
+        }
+        .between {
+            min-height: 1.4em;
         }
         .progress {
             display: flex;
@@ -99,6 +103,9 @@ export class StatusPanel extends ModelElement<StatusModel> {
             <p class="counts quiet value">
                 ${count(displayed?.cells)} quads${trimmed === 0 ? '' : ` (${countWords(trimmed)} trimmed)`}, ${count(displayed?.vertices)} vertices, separation
                 ${withUnit(shortNumber(state.surface.value?.separation ?? Number.NaN), view.units.value.length)}
+            </p>
+            <p class=${isBeyond(outcome) ? 'between value doubtful' : 'between quiet value'} id="between-times">
+                ${phase === 'final' || phase === 'coarsened' ? betweenWords(outcome, view.units.value) : nothing}
             </p>
             ${phase === 'coarsened' ? this.quadLimit() : nothing}
             ${phase === 'empty' ? html`<p class="problem" id="empty-reason">${emptyWords(outcome)}</p>` : nothing}
@@ -183,6 +190,28 @@ function errorWords(stats: StatedError, unit: string): string {
     if (isDoubtful(stats)) return `${countWords(uncertain)} of ${countWords(stats.vertices)} vertices uncertain`;
     const within = `99 % of vertices within ${withUnit(shortNumber(Number((stats.error99 ?? 0).toPrecision(2))), unit)}`;
     return uncertain === 0 ? within : `${within}, ${countWords(uncertain)} uncertain`;
+}
+
+/** The error between stored times is more than the separation, or not known for much of the surface. */
+function isBeyond(stats: SurfaceStats | undefined): boolean {
+    return (stats?.intervalError99 ?? 0) > (stats?.separation ?? 0) || (stats?.intervalUnresolved ?? 0) >= 0.1;
+}
+
+/** Returns words like "Between stored times: 99 % within 0.4 m; data every 0.1 s would bring it to 0.02 m". */
+export function betweenWords(stats: SurfaceStats | undefined, units: Units): string {
+    const { intervalError99: error, intervalUnresolved: share = 0, advisedInterval, separation = 0 } = stats ?? {};
+    const short = (value: number): string => shortNumber(Number(value.toPrecision(2)));
+    if (error === undefined) {
+        const why = stats?.intervalPending === true ? 'being estimated' : (stats?.intervalLeftOut ?? '');
+        // A frozen field has none, and who froze it knows.
+        return why === '' || stats?.kind === 'stream' ? '' : `Between stored times: ${why}`;
+    }
+    const unresolved = share === 0 ? '' : `, ${share < 0.01 ? 'less than 1' : Math.round(100 * share)} % not resolved`;
+    const advice =
+        error <= separation || advisedInterval === undefined
+            ? ''
+            : `; data every ${withUnit(short(advisedInterval), units.time)} would bring it to ${withUnit(short(separation), units.length)}`;
+    return `Between stored times: 99 % within ${withUnit(short(error), units.length)}${unresolved}${advice}`;
 }
 
 customElements.define('wakesurf-status', StatusPanel);
