@@ -38,7 +38,9 @@ bool CellSampling::advance(const Interval& interval,
                            int sign,
                            const AdvanceOptions& options,
                            const std::stop_token& stop) const {
-    return advance_particles(field(interval), particles, to, sign, options, stop);
+    return interval.linear()
+               ? advance_particles(field(interval), particles, to, sign, options, stop)
+               : advance_particles(between(interval), particles, to, sign, options, stop);
 }
 
 bool CellSampling::trace(const Interval& interval,
@@ -46,7 +48,12 @@ bool CellSampling::trace(const Interval& interval,
                          const TraceOptions& options,
                          double limit,
                          const std::stop_token& stop) const {
-    return trace_curves(field(interval), curves, options, limit, stop);
+    return interval.linear() ? trace_curves(field(interval), curves, options, limit, stop)
+                             : trace_curves(between(interval), curves, options, limit, stop);
+}
+
+BetweenSampler<CellSampler> CellSampling::between(const Interval& interval) const {
+    return between_sampler(interval, box_, [&](const Interval& steps) { return field(steps); });
 }
 
 CellSampler CellSampling::field(const Interval& interval) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/node_shares.hpp"
+#include "core/field/between_sampler.hpp"
 #include "core/field/cells/cell_sampler.hpp"
 #include "core/field/interval.hpp"
 #include "core/integrate/curve.hpp"
@@ -20,8 +21,8 @@ class CellSampling {
     static constexpr bool has_smooth = false;
     static constexpr bool steps_in_batches = false;
 
-    /// Builds the domain at the cost of CellDomain.
-    explicit CellSampling(const CellMesh& mesh) : domain_(mesh) {}
+    /// Builds the domain at the cost of CellDomain. @param box  round the domain
+    CellSampling(const CellMesh& mesh, const Box& box) : domain_(mesh), box_(box) {}
 
     PointStatus status(const Vec3& position) const { return field({}).status(position); }
 
@@ -53,13 +54,19 @@ class CellSampling {
 
     template <class Use>
     void with_field(const Interval& interval, bool, const Use& use) const {
-        use(field(interval));
+        if (interval.linear())
+            use(field(interval));
+        else
+            use(between(interval));
     }
 
   private:
     CellSampler field(const Interval& interval) const;
 
+    BetweenSampler<CellSampler> between(const Interval& interval) const;
+
     CellDomain domain_;
+    Box box_;
 };
 
 } // namespace wakesurf::core

@@ -7,6 +7,7 @@
 #include "core/base/point_status.hpp"
 #include "core/base/result.hpp"
 #include "core/dataset/wall_geometry.hpp"
+#include "core/field/between_times.hpp"
 #include "core/integrate/curve.hpp"
 #include "core/integrate/particles.hpp"
 
@@ -45,7 +46,8 @@ class Flow {
     }
 
     /// Returns the first stored time after `time`, or before it where `sign` is negative; nothing where there is
-    /// none, and where the flow stands still. Between two of them the linear field at a place changes at a constant rate.
+    /// none, and where the flow stands still. Between two of them the linear field at a place changes at a
+    /// constant rate.
     virtual std::optional<double> next_stored_time(double /*time*/, double /*sign*/) const {
         return std::nullopt;
     }
@@ -56,6 +58,10 @@ class Flow {
     virtual std::shared_ptr<const Flow> thinned(std::size_t /*stride*/, double /*from*/) const {
         return nullptr;
     }
+
+    /// Returns the same field with another interpolation between its stored times; the same flow each time, as long
+    /// as somebody holds it. Null for closed forms. It shares what is in memory, and may outlive this.
+    virtual std::shared_ptr<const Flow> interpolated(Between /*between*/) const { return nullptr; }
 
     /// Returns the finest detail of the field, in units of length: the node spacing, or 1/100 of the shortest
     /// side for closed forms.
@@ -95,8 +101,9 @@ class Flow {
     /// are sampled the same with both.
     virtual bool has_smooth() const { return false; }
 
-    /// Says whether RK4 carries many particles at a time, faster than the steps of controlled error of
-    /// Method::Dopri5 but with errors that have to be checked: on uniform and rectilinear grids.
+    /// Says whether RK4 carries particles faster than the steps of controlled error of Method::Dopri5, but with
+    /// errors that have to be checked: many at a time on uniform and rectilinear grids, and wherever the field is
+    /// not linear between stored times, so that no series follows it cell by cell.
     virtual bool steps_in_batches() const { return false; }
 
     /// True when parts of the domain are solid.

@@ -104,25 +104,20 @@ struct GridSampler {
     /// Returns a finite velocity everywhere: in a cell with a gap the other nodes' values go on into it, so
     /// that a step that leads there can be followed up to the cell's face.
     Vec3 velocity(const Vec3& p, double t) const {
-        // Two components at a time, z of both time-steps together: by itself the compiler leaves them scalar.
-        using Pair = double __attribute__((vector_size(16)));
-        const CellPoint cell = locate(*grid, p);
-        const StoredCell stored = stored_cell(cell.cell, cell.node);
-        const Corners at = corners(stored.strides, {0, cell.fraction, {}});
-        const float* const first = at_first(velocity0, stored);
-        const float* const second = velocity1 ? at_first(velocity1, stored) : first;
-        Pair xy0{}, xy1{}, z{};
-        for (std::size_t i = 0; i < 8; ++i) {
-            const float* now = first + 3 * at.node[i];
-            const float* then = second + 3 * at.node[i];
-            xy0 += at.weight[i] * Pair{now[0], now[1]};
-            xy1 += at.weight[i] * Pair{then[0], then[1]};
-            z += at.weight[i] * Pair{now[2], then[2]};
-        }
-        Vec3 v(xy0[0], xy0[1], z[0]);
+        const Around around = look_up(p);
+        auto [v, then] = around.ends();
         if (velocity1)
-            v += (t - time0) / interval * (Vec3(xy1[0], xy1[1], z[1]) - v);
-        return gaps && !finite(v) ? beside_gaps(at, first, second, t) : v;
+            v += (t - time0) / interval * (then - v);
+        return gaps && !finite(v) ? beside_gaps(around, t) : v;
+    }
+
+    /// Returns the velocities at the times of both time-steps.
+    std::array<Vec3, 2> ends(const Vec3& p) const {
+        const Around around = look_up(p);
+        const auto both = around.ends();
+        return gaps && !(finite(both[0]) && finite(both[1]))
+                   ? std::array{beside_gaps(around, time0), beside_gaps(around, time0 + interval)}
+                   : both;
     }
 
     /// Returns (grad v) w, the exact derivative of the trilinear field within its cell; 0 in a cell with a
@@ -168,17 +163,23 @@ struct GridSampler {
             return PointStatus::InObstacle;
         if (gaps && gap(cell.cell))
             return PointStatus::OutsideDomain;
-        if (state == CellMask::Fluid)
-            return PointStatus::Inside;
-        const Corners at = corners(strides(*grid), cell);
-        double fluid = 0.0;
-        for (std::size_t i = 0; i < 8; ++i)
-            if (mask->is_fluid(
-                    {cell.cell[0] + (i & 1), cell.cell[1] + (i >> 1 & 1), cell.cell[2] + (i >> 2)},
-                    at.node[i]))
-                fluid += at.weight[i];
-        return fluid < 0.5 ? PointStatus::InObstacle : PointStatus::Inside;
+        return state == CellMask::Fluid || fluid_share(cell) >= 0.5 ? PointStatus::Inside
+                                                                    : PointStatus::InObstacle;
     }
+
+    /// Returns 1 in the fluid, falling to 0 from there to a solid cell, 0 where there is no velocity.
+    double open_share(const Vec3& p) const {
+        if (!grid->bounds().contains(p))
+            return 0.0;
+        const CellPoint cell = locate(*grid, p);
+        const CellMask::State state = cells->state(cell.cell, cell.node);
+        if (state == CellMask::Solid || (gaps && gap(cell.cell)))
+            return 0.0;
+        return state == CellMask::Fluid ? 1.0 : fluid_share(cell);
+    }
+
+    /// Returns false where open_share() is 1 in all of the domain.
+    bool bounded() const { return gaps || !mask->empty(); }
 
     /// Implements FieldOfTimeSteps.
     bool stands_still() const { return !velocity1; }
@@ -268,6 +269,47 @@ struct GridSampler {
     }
 
   private:
+    /// The values round a point.
+    struct Around {
+        Corners at;
+        const float* first;
+        const float* second;
+
+        std::array<Vec3, 2> ends() const {
+            // Two components at a time, z of both time-steps together: by itself the compiler leaves them scalar.
+            using Pair = double __attribute__((vector_size(16)));
+            Pair xy0{}, xy1{}, z{};
+            for (std::size_t i = 0; i < 8; ++i) {
+                const float* now = first + 3 * at.node[i];
+                const float* then = second + 3 * at.node[i];
+                xy0 += at.weight[i] * Pair{now[0], now[1]};
+                xy1 += at.weight[i] * Pair{then[0], then[1]};
+                z += at.weight[i] * Pair{now[2], then[2]};
+            }
+            return {Vec3(xy0[0], xy0[1], z[0]), Vec3(xy1[0], xy1[1], z[1])};
+        }
+    };
+
+    Around look_up(const Vec3& p) const {
+        const CellPoint cell = locate(*grid, p);
+        const StoredCell stored = stored_cell(cell.cell, cell.node);
+        const float* const first = at_first(velocity0, stored);
+        return {corners(stored.strides, {0, cell.fraction, {}}), first,
+                velocity1 ? at_first(velocity1, stored) : first};
+    }
+
+    /// Returns the share of fluid nodes at a point of a cell.
+    double fluid_share(const CellPoint& cell) const {
+        const Corners at = corners(strides(*grid), cell);
+        double fluid = 0.0;
+        for (std::size_t i = 0; i < 8; ++i)
+            if (mask->is_fluid(
+                    {cell.cell[0] + (i & 1), cell.cell[1] + (i >> 1 & 1), cell.cell[2] + (i >> 2)},
+                    at.node[i]))
+                fluid += at.weight[i];
+        return fluid;
+    }
+
     double fastest_node(const std::array<std::size_t, 3>& cell, double t) const {
         const StoredCell stored = stored_cell(cell, first_node(cell));
         const float* const first = at_first(velocity0, stored);
@@ -332,7 +374,8 @@ struct GridSampler {
 
     /// Mean of the nodes that have a velocity, by their weights: meets the trilinear field at faces without a
     /// gap.
-    Vec3 beside_gaps(const Corners& at, const float* first, const float* second, double t) const {
+    Vec3 beside_gaps(const Around& around, double t) const {
+        const auto& [at, first, second] = around;
         Vec3 total(0.0);
         double weights = 0.0;
         for (std::size_t i = 0; i < 8; ++i) {

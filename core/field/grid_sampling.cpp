@@ -23,6 +23,8 @@ bool GridSampling<Axes>::advance(const Interval& interval,
                        ? advance_stored(cubic, kernel_, particles, to, sign, options, stop)
                        : advance_particles(cubic, particles, to, sign, options, stop);
         }
+    if (!interval.linear())
+        return advance_particles(between(interval), particles, to, sign, options, stop);
     return rk4 ? advance_stored(field, kernel_, particles, to, sign, options, stop)
                : advance_particles(CellwiseSampler<Axes>{field}, particles, to, sign, options,
                                    stop);
@@ -42,7 +44,8 @@ bool GridSampling<Axes>::sample_at(const Interval& interval,
                    sample_stored(cubic, kernel_, positions, time, velocities, stop);
         }
     const GridSampler<Axes> field = linear(interval);
-    return !field.gaps && sample_stored(field, kernel_, positions, time, velocities, stop);
+    return !field.gaps && interval.linear() &&
+           sample_stored(field, kernel_, positions, time, velocities, stop);
 }
 
 template <class Axes>
@@ -57,6 +60,8 @@ bool GridSampling<Axes>::trace(const Interval& interval,
     if constexpr (has_smooth)
         if (options.smooth)
             return trace_curves(smooth(interval), curves, options, limit, stop);
+    if (!interval.linear())
+        return trace_curves(between(interval), curves, options, limit, stop);
     return trace_curves(CellwiseSampler<Axes>{field}, curves, options, limit, stop);
 }
 

@@ -1,9 +1,10 @@
 // Samples a stored field on a uniform or rectilinear grid between two time-steps: linear, smooth, in
-// batches of the vector kernel, or cell by cell, whichever serves. Only a uniform grid has a smooth field.
+// batches of the vector kernel, or cell by cell, whichever serves; otherwise than linear in time, place by place. Only a uniform grid has a smooth field.
 #pragma once
 
 #include "core/field/advance_particles.hpp"
 #include "core/field/advance_stored.hpp"
+#include "core/field/between_sampler.hpp"
 #include "core/field/cubic_sampler.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/field/interval.hpp"
@@ -135,12 +136,20 @@ class GridSampling {
         if constexpr (has_smooth)
             if (smoothly)
                 return use(smooth(interval));
-        use(linear(interval));
+        if (interval.linear())
+            use(linear(interval));
+        else
+            use(between(interval));
     }
 
   private:
     GridSampler<Axes> linear(const Interval& interval) const {
         return linear_sampler(axes_, cells_, mask_, interval);
+    }
+
+    BetweenSampler<GridSampler<Axes>> between(const Interval& interval) const {
+        return between_sampler(interval, axes_.bounds(),
+                               [&](const Interval& steps) { return linear(steps); });
     }
 
     static std::array<std::uint32_t, 3> nodes_along(const Axes& axes) {

@@ -1,5 +1,6 @@
 #include "core/field/interval.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -15,8 +16,10 @@ constexpr std::size_t tight = 8;
 
 } // namespace
 
-Intervals::Intervals(std::shared_ptr<TimeStepCache> cache, std::vector<std::size_t> steps)
-    : cache_(std::move(cache)), steps_(std::move(steps)),
+Intervals::Intervals(std::shared_ptr<TimeStepCache> cache,
+                     std::vector<std::size_t> steps,
+                     Between between)
+    : cache_(std::move(cache)), steps_(std::move(steps)), between_(between),
       tight_(!cache_->bricks() &&
              cache_->status().budget < tight * cache_->source().bytes_per_step()) {
     const std::vector<double>& all = cache_->source().times();
@@ -26,6 +29,24 @@ Intervals::Intervals(std::shared_ptr<TimeStepCache> cache, std::vector<std::size
     }
     for (const std::size_t step : steps_)
         times_.push_back(all[step]);
+}
+
+std::size_t Intervals::at(double time) const {
+    const auto after = std::upper_bound(times_.begin(), times_.end(), time);
+    const auto index =
+        static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - times_.begin() - 1, 0));
+    return std::min(index, times_.size() < 2 ? 0 : times_.size() - 2);
+}
+
+std::optional<double> Intervals::next(double time, double sign) const {
+    if (times_.size() < 2)
+        return std::nullopt;
+    if (sign > 0.0) {
+        const auto next = std::upper_bound(times_.begin(), times_.end(), time);
+        return next == times_.end() ? std::nullopt : std::optional(*next);
+    }
+    const auto here = std::lower_bound(times_.begin(), times_.end(), time);
+    return here == times_.begin() ? std::nullopt : std::optional(*std::prev(here));
 }
 
 std::vector<std::size_t> Intervals::every(std::size_t stride, std::size_t k) const {
@@ -79,7 +100,7 @@ Intervals::try_acquire(std::size_t k, Needs needs, const std::stop_token& stop) 
         ++held;
         return {};
     };
-    const bool four = needs == Needs::Four;
+    const bool four = needs == Needs::Four || (needs == Needs::Both && between_ != Between::Linear);
     Result<void> taken;
     if (four && k > 0)
         taken = take(k - 1, interval.before);
@@ -91,6 +112,8 @@ Intervals::try_acquire(std::size_t k, Needs needs, const std::stop_token& stop) 
         taken = take(k + 2, interval.after);
     if (!taken)
         return tl::unexpected(taken.error());
+    if (interval.second)
+        interval.between = between_;
     if (cache_->bricks()) {
         std::vector<std::size_t> steps;
         for (const auto* step :

@@ -6,11 +6,13 @@
 #include "core/base/node_shares.hpp"
 #include "core/dataset/missing_bricks.hpp"
 #include "core/dataset/time_step_cache.hpp"
+#include "core/field/between_times.hpp"
 #include "core/integrate/particles.hpp"
 
 #include <concepts>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -24,6 +26,9 @@ struct Interval {
     std::shared_ptr<const TimeStep> second; ///< null where one time-step is all that is needed
     std::shared_ptr<const TimeStep> after;  ///< null unless asked for, and at the end of the series
     std::shared_ptr<MissingBricks> missing{}; ///< null where the time-steps are in one piece
+    Between between = Between::Linear;        ///< Linear of one time-step
+
+    bool linear() const { return between == Between::Linear; }
 };
 
 /// Loads intervals. Thread safety: concurrent calls are allowed.
@@ -35,12 +40,27 @@ class Intervals {
         Four, ///< both ends and their neighbours: cubic in time
     };
 
+    /// @param between  how the field goes between the time-steps; other than linearly, Both are Four
     /// @param steps  the time-steps of the series that count, ascending: others are skipped, and the field is
     /// interpolated between these; empty: all
-    explicit Intervals(std::shared_ptr<TimeStepCache> cache, std::vector<std::size_t> steps = {});
+    explicit Intervals(std::shared_ptr<TimeStepCache> cache,
+                       std::vector<std::size_t> steps = {},
+                       Between between = Between::Linear);
 
     /// Returns the times of the steps that count.
     const std::vector<double>& times() const { return times_; }
+
+    Between between() const { return between_; }
+
+    /// Returns the k of the interval [times()[k], times()[k + 1]] that a time falls into; the last one takes the end.
+    std::size_t at(double time) const;
+
+    /// Returns the first of the times after `time`, or before it where `sign` is negative; nothing where there is
+    /// none, and where there is but one.
+    std::optional<double> next(double time, double sign) const;
+
+    /// Returns the numbers of the steps that count.
+    const std::vector<std::size_t>& steps() const { return steps_; }
 
     /// Returns the number of the k-th step that counts in the series.
     std::size_t step(std::size_t k) const { return steps_[k]; }
@@ -60,6 +80,7 @@ class Intervals {
     std::shared_ptr<TimeStepCache> cache_;
     std::vector<std::size_t> steps_;
     std::vector<double> times_;
+    Between between_;
     bool tight_;
     mutable std::mutex mutex_;
     mutable EventCount turn_over_;

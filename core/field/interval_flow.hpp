@@ -7,6 +7,7 @@
 #include "core/field/advance_particles.hpp"
 #include "core/field/flow.hpp"
 #include "core/field/interval.hpp"
+#include "core/field/other_interpolations.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -28,9 +29,10 @@ class IntervalFlow final : public Flow {
     IntervalFlow(std::shared_ptr<TimeStepCache> cache,
                  std::shared_ptr<const Clock> clock,
                  std::shared_ptr<const Sampling> sampling,
-                 std::vector<std::size_t> steps = {})
-        : cache_(std::move(cache)), intervals_(cache_, std::move(steps)), clock_(std::move(clock)),
-          source_(cache_->source()), sampling_(std::move(sampling)),
+                 std::vector<std::size_t> steps = {},
+                 Between between = Between::Linear)
+        : cache_(std::move(cache)), intervals_(cache_, std::move(steps), between),
+          clock_(std::move(clock)), source_(cache_->source()), sampling_(std::move(sampling)),
           domain_(bounds(source_.grid())), finest_(core::finest_spacing(source_.grid())) {}
 
     Box domain() const override { return domain_; }
@@ -40,20 +42,20 @@ class IntervalFlow final : public Flow {
     }
 
     std::optional<double> next_stored_time(double time, double sign) const override {
-        const std::vector<double>& times = intervals_.times();
-        if (stands_still())
-            return std::nullopt;
-        if (sign > 0.0) {
-            const auto next = std::upper_bound(times.begin(), times.end(), time);
-            return next == times.end() ? std::nullopt : std::optional(*next);
-        }
-        const auto here = std::lower_bound(times.begin(), times.end(), time);
-        return here == times.begin() ? std::nullopt : std::optional(*std::prev(here));
+        return intervals_.next(time, sign);
     }
 
     std::shared_ptr<const Flow> thinned(std::size_t stride, double from) const override {
         return std::make_shared<IntervalFlow>(cache_, clock_, sampling_,
-                                              intervals_.every(stride, interval_at(from)));
+                                              intervals_.every(stride, intervals_.at(from)),
+                                              intervals_.between());
+    }
+
+    std::shared_ptr<const Flow> interpolated(Between between) const override {
+        return others_.get(between, [&] {
+            return std::make_shared<IntervalFlow>(cache_, clock_, sampling_, intervals_.steps(),
+                                                  between);
+        });
     }
 
     double finest_spacing() const override { return finest_; }
@@ -99,7 +101,7 @@ class IntervalFlow final : public Flow {
         if (direction == 0)
             return cost;
         std::vector<std::uint32_t> cell(particles.cell.empty() ? particles.count() : 0, no_cell);
-        auto k = static_cast<std::ptrdiff_t>(interval_at(from));
+        auto k = static_cast<std::ptrdiff_t>(intervals_.at(from));
         if (direction < 0 && k > 0 && times[static_cast<std::size_t>(k)] == from)
             --k;
         for (double reached = from; reached != to; from = reached, k += direction) {
@@ -151,7 +153,9 @@ class IntervalFlow final : public Flow {
 
     bool has_smooth() const override { return Sampling::has_smooth; }
 
-    bool steps_in_batches() const override { return Sampling::steps_in_batches; }
+    bool steps_in_batches() const override {
+        return Sampling::steps_in_batches || intervals_.between() != Between::Linear;
+    }
 
     bool obstacle() const override { return sampling_->obstacle(); }
 
@@ -195,7 +199,7 @@ class IntervalFlow final : public Flow {
                            bool smoothly,
                            std::span<std::uint32_t> cell) const override {
         if constexpr (requires { &Sampling::sample_at; }) {
-            const std::size_t k = interval_at(time);
+            const std::size_t k = intervals_.at(time);
             const auto held =
                 intervals_.acquire(k, steps_needed(time > intervals_.times()[k], smoothly), stop);
             if (!held)
@@ -218,11 +222,13 @@ class IntervalFlow final : public Flow {
     template <class Use>
     Result<void> by_interval(std::span<const double> times, const Use& use) const {
         const auto [first, last] = std::minmax_element(times.begin(), times.end());
-        if (times.empty() || interval_at(*first) == interval_at(*last)) // a moment: the usual case
+        if (times.empty() ||
+            intervals_.at(*first) == intervals_.at(*last)) // a moment: the usual case
             return use({});
         std::vector<std::uint32_t> interval(times.size());
-        std::transform(times.begin(), times.end(), interval.begin(),
-                       [&](double time) { return static_cast<std::uint32_t>(interval_at(time)); });
+        std::transform(times.begin(), times.end(), interval.begin(), [&](double time) {
+            return static_cast<std::uint32_t>(intervals_.at(time));
+        });
         std::vector<std::uint32_t> order(times.size());
         std::iota(order.begin(), order.end(), 0u);
         std::stable_sort(order.begin(), order.end(),
@@ -286,7 +292,7 @@ class IntervalFlow final : public Flow {
                                  const std::stop_token& stop,
                                  bool smoothly) const {
         const auto index = [&](std::size_t i) { return chosen.empty() ? i : chosen[i]; };
-        const std::size_t k = interval_at(times[index(0)]);
+        const std::size_t k = intervals_.at(times[index(0)]);
         bool later = false;
         for (std::size_t i = 0; i < count; ++i)
             later = later || times[index(i)] > intervals_.times()[k];
@@ -380,15 +386,6 @@ class IntervalFlow final : public Flow {
 
     static bool upstream(std::span<const Curve> curves) { return curves.front().duration < 0.0; }
 
-    /// Index k of the interval [times[k], times[k+1]] a time falls into; the last one takes the end.
-    std::size_t interval_at(double time) const {
-        const std::vector<double>& times = intervals_.times();
-        const auto after = std::upper_bound(times.begin(), times.end(), time);
-        const auto index =
-            static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - times.begin() - 1, 0));
-        return std::min(index, times.size() < 2 ? 0 : times.size() - 2);
-    }
-
     /// True of one stored time.
     bool stands_still() const { return intervals_.times().size() < 2; }
 
@@ -407,13 +404,13 @@ class IntervalFlow final : public Flow {
         return stored != times.end()
                    ? intervals_.acquire(static_cast<std::size_t>(stored - times.begin()),
                                         Intervals::Needs::First, stop)
-                   : intervals_.acquire(interval_at(time), steps_needed(true, smoothly), stop);
+                   : intervals_.acquire(intervals_.at(time), steps_needed(true, smoothly), stop);
     }
 
     /// Loads ahead of what interval `k` holds, which stays: the next step may be in the same interval.
     void prefetch(std::size_t k, int direction, bool smoothly) const {
         const std::size_t last = intervals_.times().size() - 1;
-        const std::size_t beyond = smoothly ? 1 : 0;
+        const std::size_t beyond = smoothly || intervals_.between() != Between::Linear ? 1 : 0;
         const std::size_t low = k - std::min(k, beyond);
         const std::size_t high = std::min(k + 1 + beyond, last);
         const std::size_t first = intervals_.step(low), behind = intervals_.step(high);
@@ -455,7 +452,7 @@ class IntervalFlow final : public Flow {
         const std::vector<double>& times = intervals_.times();
         TraceCost cost;
         const double release = curves.front().release;
-        auto k = static_cast<std::ptrdiff_t>(interval_at(release));
+        auto k = static_cast<std::ptrdiff_t>(intervals_.at(release));
         if (direction < 0 && k > 0 && times[static_cast<std::size_t>(k)] == release)
             --k;
         const auto running = [](const Curve& curve) { return curve.end == CurveEnd::Running; };
@@ -495,6 +492,7 @@ class IntervalFlow final : public Flow {
     std::shared_ptr<const Sampling> sampling_;
     Box domain_;
     double finest_;
+    OtherInterpolations others_;
 };
 
 } // namespace wakesurf::core

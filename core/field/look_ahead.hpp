@@ -3,6 +3,7 @@
 // bricks are read, never the results.
 #pragma once
 
+#include "core/field/between_sampler.hpp"
 #include "core/field/cubic_sampler.hpp"
 #include "core/field/grid_sampler.hpp"
 
@@ -20,6 +21,11 @@ inline const GridSampler<UniformGrid>& trilinear_part(const CubicSampler& field)
     return field.linear;
 }
 
+template <class Grid>
+const GridSampler<Grid>& trilinear_part(const BetweenSampler<GridSampler<Grid>>& field) {
+    return field.linear();
+}
+
 /// Asks for the bricks on the way of a particle to the end of the interval, at most two bricks far: in large
 /// steps, and straight on from where its velocity is not known. REQUIRES: a view of a field in bricks.
 /// @param sign    direction of time, +1 or -1
@@ -35,7 +41,7 @@ void look_ahead(const Field& view, Vec3 p, double t, int sign, bool frozen = fal
                          : sign * (field.time0 + (sign > 0 ? field.interval : 0.0) - t);
     Vec3 v(0.0);
     for (int i = 0; i < most_steps; ++i) {
-        if (const Vec3 here = view.velocity(p, t); !view.take_missed())
+        if (const Vec3 here = field.velocity(p, t); !field.take_missed())
             v = here;
         field.misses.forget(); // no caller waits for them
         const auto cell = locate(*field.grid, p).cell;

@@ -21,8 +21,8 @@ auto sampling_of(const RectilinearGrid& grid, const TimeStepSource& source, Simd
     return std::make_unique<const RectilinearSampling>(grid, source.mask(), simd);
 }
 
-auto sampling_of(const CellMesh& mesh, const TimeStepSource&, Simd) {
-    return std::make_unique<const CellSampling>(mesh);
+auto sampling_of(const CellMesh& mesh, const TimeStepSource& source, Simd) {
+    return std::make_unique<const CellSampling>(mesh, bounds(source.grid()));
 }
 
 } // namespace

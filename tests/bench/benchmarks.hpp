@@ -49,6 +49,9 @@ void register_tessellation_benchmarks(const std::shared_ptr<const server::Loaded
 /// The error between stored times as predicted, beside the true one, on closed forms.
 void register_interval_error_benchmarks();
 
+/// What is left of that error with other interpolation between stored times, and what this costs.
+void register_between_benchmarks();
+
 /// 30 level sets of one field, one after the other, each to its frames.
 void register_level_benchmark();
 

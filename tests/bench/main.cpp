@@ -69,6 +69,7 @@ int measure(const server::BenchOptions& options) {
     register_streak_frame_benchmarks();
     register_level_benchmark();
     register_interval_error_benchmarks();
+    register_between_benchmarks();
     register_accuracy_benchmarks(*loaded);
     register_shape_benchmarks(*loaded);
     register_tessellation_benchmarks(*loaded);

@@ -169,6 +169,31 @@ class CellSamplerCursor {
         return meridian_.back((v + fit.change.at(pyramid, place_.local()) * part).vector());
     }
 
+    /// Returns the velocities at the times of both time-steps.
+    std::array<Vec3, 2> ends(const Vec3& p) const {
+        if (!go_to(p, false) || !field_.velocity1) {
+            const Vec3 v = velocity(p, field_.time0);
+            return {v, velocity(p, field_.time0 + field_.interval)};
+        }
+        const bool pyramid = place_.geometry().pyramid();
+        const Fit& fit = fit_[here_];
+        const Components v = fit.now.at(pyramid, place_.local());
+        const Components then = v + fit.change.at(pyramid, place_.local());
+        return {meridian_.back(v.vector()), meridian_.back(then.vector())};
+    }
+
+    /// Returns 1 away from walls, falling to 0 in the cells beside one, 0 where there is no velocity.
+    double open_share(const Vec3& p) const {
+        const CellDomain& domain = *field_.domain;
+        const PointStatus there = place_.locate(
+            meridian_.enter(p), false, [&](std::uint32_t cell) { return field_.usable(cell); });
+        return there == PointStatus::Inside
+                   ? 1.0 - domain.walls.share(domain.mesh, place_.cell(), place_.local())
+                   : 0.0;
+    }
+
+    bool bounded() const { return true; }
+
     /// Returns (grad v) w at local coordinates of the present cell, as a function of w. REQUIRES: a velocity
     /// or a path has been asked for; the function is used before anything else is.
     auto gradient_here(const Vec3& local, double t) const {
