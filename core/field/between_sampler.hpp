@@ -39,7 +39,8 @@ class BetweenSampler {
                    const std::array<Step, 4>& steps,
                    const Box& box,
                    Between between)
-        : linear_(linear), step_(steps), box_(box), between_(between) {}
+        : linear_(linear), step_(steps), aside_{steps[1].view, steps[2].view}, box_(box),
+          between_(between) {}
 
     const View& linear() const { return linear_; }
 
@@ -79,8 +80,7 @@ class BetweenSampler {
 
     bool take_missed() const requires PagedField<View> {
         bool any = linear_.take_missed();
-        for (const Step& step : step_)
-            any = step.view.take_missed() || any;
+        each_view([&](const View& view) { any = view.take_missed() || any; });
         return any;
     }
 
@@ -102,8 +102,7 @@ class BetweenSampler {
 
     {
         linear_.restart();
-        for (const Step& step : step_)
-            step.view.restart();
+        each_view([](const View& view) { view.restart(); });
     }
 
     void restart(std::uint32_t guess) const requires requires(const View& view) {
@@ -112,8 +111,7 @@ class BetweenSampler {
 
     {
         linear_.restart(guess);
-        for (const Step& step : step_)
-            step.view.restart(guess);
+        each_view([&](const View& view) { view.restart(guess); });
     }
 
     const auto& place() const requires requires(const View& view) { view.place(); }
@@ -137,7 +135,7 @@ class BetweenSampler {
             sum = share[1] * first + share[2] * second;
             for (const std::size_t i : {std::size_t{0}, std::size_t{3}})
                 if (share[i] != 0.0) {
-                    open *= openness(i, x, here);
+                    open *= openness(step_[i].view, x, here);
                     sum = sum + share[i] * sample(step_[i].view, x);
                 }
         } else {
@@ -145,7 +143,7 @@ class BetweenSampler {
             for (std::size_t i = 0; i < step_.size(); ++i)
                 if (share[i] != 0.0) {
                     const Place there = x + (step_[i].time - t) * way;
-                    open *= openness(i, there, here);
+                    open *= openness(step_[i].view, there, here);
                     sum = sum + share[i] * sample(step_[i].view, there);
                 }
         }
@@ -165,9 +163,9 @@ class BetweenSampler {
         const Place way = kept_in_box(x, t, fluid);
         const Place before = x + (step_[1].time - t) * way;
         const Place after = x + (step_[2].time - t) * way;
-        const double open = openness(1, before, here) * openness(2, after, here);
+        const double open = openness(aside_[0], before, here) * openness(aside_[1], after, here);
         const Place change = second - first;
-        const Place gone = change - (sample(step_[2].view, after) - sample(step_[1].view, before));
+        const Place gone = change - (sample(aside_[1], after) - sample(aside_[0], before));
         const auto fits = dot(change, gone);
         const auto all = dot(change, change);
         if (!(value_of(fits) > 1e-150)) // far below what squares of stored numbers are
@@ -206,16 +204,15 @@ class BetweenSampler {
     /// Returns 1 where a step's value at a place counts as much as that at the place asked for, 0 where there is
     /// none: it falls towards a wall with the distance from it. The view is then at that place.
     template <class Place>
-    double openness(std::size_t i, const Place& place, double here) const {
+    double openness(const View& view, const Place& place, double here) const {
         if (!bounded())
             return 1.0;
-        const View& view = step_[i].view;
-        double there = view.open_share(value_of(place));
         if constexpr (requires { view.restart(); })
-            if (there == 0.0) { // on the way there from the last place may have been a wall
-                view.restart();
-                there = view.open_share(value_of(place));
+            if (view.status(value_of(place)) != PointStatus::Inside) {
+                view.restart(); // on the way there from the last place may have been a wall
+                view.status(value_of(place));
             }
+        const double there = view.open_share(value_of(place));
         return there < here ? there / here : here > 0.0 ? 1.0 : 0.0;
     }
 
@@ -235,8 +232,18 @@ class BetweenSampler {
         return {sample(linear_, p, step_[1].time), sample(linear_, p, step_[2].time)};
     }
 
+    template <class Use>
+    void each_view(const Use& use) const {
+        for (const Step& step : step_)
+            use(step.view);
+        for (const View& view : aside_)
+            use(view);
+    }
+
     View linear_;
     std::array<Step, 4> step_;
+    std::array<View, 2>
+        aside_; ///< of the middle two, at other places than those: a cursor goes short ways
     Box box_;
     Between between_;
 };

@@ -3,6 +3,7 @@
 // rectilinear grids.
 #pragma once
 
+#include "core/base/components.hpp"
 #include "core/base/node_shares.hpp"
 #include "core/base/point_status.hpp"
 #include "core/dataset/missing_bricks.hpp"
@@ -105,9 +106,13 @@ struct GridSampler {
     /// that a step that leads there can be followed up to the cell's face.
     Vec3 velocity(const Vec3& p, double t) const {
         const Around around = look_up(p);
-        auto [v, then] = around.ends();
-        if (velocity1)
-            v += (t - time0) / interval * (then - v);
+        Vec3 v;
+        if (velocity1) {
+            const auto [first, second] = around.ends();
+            v = first + (t - time0) / interval * (second - first);
+        } else {
+            v = around.alone();
+        }
         return gaps && !finite(v) ? beside_gaps(around, t) : v;
     }
 
@@ -287,6 +292,16 @@ struct GridSampler {
                 z += at.weight[i] * Pair{now[2], then[2]};
             }
             return {Vec3(xy0[0], xy0[1], z[0]), Vec3(xy1[0], xy1[1], z[1])};
+        }
+
+        Vec3 alone() const {
+            Components v;
+            for (std::size_t i = 0; i < 8; ++i) {
+                const float* now = first + 3 * at.node[i];
+                v.xy += at.weight[i] * Components::Pair{now[0], now[1]};
+                v.z += at.weight[i] * Components::Pair{now[2], 0.0};
+            }
+            return v.vector();
         }
     };
 
