@@ -72,19 +72,19 @@ struct DualVec3 {
 
 // The same formula for numbers without derivatives.
 
-inline double value_of(double a) {
+inline double real_part(double a) {
     return a;
 }
 
-inline double value_of(const Dual& a) {
+inline double real_part(const Dual& a) {
     return a.value;
 }
 
-inline const Vec3& value_of(const Vec3& a) {
+inline const Vec3& real_part(const Vec3& a) {
     return a;
 }
 
-inline const Vec3& value_of(const DualVec3& a) {
+inline const Vec3& real_part(const DualVec3& a) {
     return a.value;
 }
 

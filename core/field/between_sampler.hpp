@@ -128,7 +128,7 @@ class BetweenSampler {
         const auto [first, second] = ends(x);
         const double part = (t - step_[1].time) / (step_[2].time - step_[1].time);
         const Place linear = (1.0 - part) * first + part * second;
-        const double here = bounded() ? linear_.open_share(value_of(x)) : 1.0;
+        const double here = bounded() ? linear_.open_share(real_part(x)) : 1.0;
         double open = 1.0;
         Place sum = 0.0 * first;
         if (between_ == Between::Cubic) {
@@ -168,12 +168,12 @@ class BetweenSampler {
         const Place gone = change - (sample(aside_[1], after) - sample(aside_[0], before));
         const auto fits = dot(change, gone);
         const auto all = dot(change, change);
-        if (!(value_of(fits) > 1e-150)) // far below what squares of stored numbers are
+        if (!(real_part(fits) > 1e-150)) // far below what squares of stored numbers are
             return 0.0 * fluid;
         constexpr double nothing = 1e-12; // of the change
         const auto part = fits / (dot(gone, gone) + nothing * all);
         const auto good = part * fits / all;
-        return open * (value_of(part) < 1.0 ? part * good : good) * way;
+        return open * (real_part(part) < 1.0 ? part * good : good) * way;
     }
 
     /// Returns the fluid's velocity, less along each axis along which the way from the earliest time-step to the
@@ -185,8 +185,8 @@ class BetweenSampler {
         for (int axis = 0; axis < 3; ++axis)
             for (const double time : {early, late}) {
                 const auto to = component(x, axis) + time * component(fluid, axis);
-                const double side = std::clamp(value_of(to), box_.lo[axis], box_.hi[axis]);
-                if (side != value_of(to) && time != 0.0) // not a number: neither
+                const double side = std::clamp(real_part(to), box_.lo[axis], box_.hi[axis]);
+                if (side != real_part(to) && time != 0.0) // not a number: neither
                     set_component(fluid, axis,
                                   (1.0 / time) * (number(x, side) - component(x, axis)));
             }
@@ -208,11 +208,11 @@ class BetweenSampler {
         if (!bounded())
             return 1.0;
         if constexpr (requires { view.restart(); })
-            if (view.status(value_of(place)) != PointStatus::Inside) {
+            if (view.status(real_part(place)) != PointStatus::Inside) {
                 view.restart(); // on the way there from the last place may have been a wall
-                view.status(value_of(place));
+                view.status(real_part(place));
             }
-        const double there = view.open_share(value_of(place));
+        const double there = view.open_share(real_part(place));
         return there < here ? there / here : here > 0.0 ? 1.0 : 0.0;
     }
 

@@ -131,7 +131,7 @@ double q_criterion(const glm::dmat3& g) {
     return q;
 }
 
-double value_of(GradientField field, const glm::dmat3& gradient) {
+double real_part(GradientField field, const glm::dmat3& gradient) {
     switch (field) {
     case GradientField::Vorticity:
         return glm::length(vorticity(gradient));
@@ -165,7 +165,7 @@ sample_gradient_fields(std::span<const GradientField> fields,
     std::vector<std::vector<float>> out(fields.size(), std::vector<float>(positions.size()));
     const auto keep = [&](std::size_t i, const glm::dmat3& gradient) {
         for (std::size_t k = 0; k < fields.size(); ++k)
-            out[k][i] = static_cast<float>(value_of(fields[k], gradient));
+            out[k][i] = static_cast<float>(real_part(fields[k], gradient));
     };
     if (fields.empty())
         return out;

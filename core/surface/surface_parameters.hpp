@@ -1,6 +1,7 @@
 // The parameters of a surface: those of `wakesurf surface` and `surface.set`.
 #pragma once
 
+#include "core/field/between_times.hpp"
 #include "core/surface/rake.hpp"
 
 #include <cstdint>
@@ -38,6 +39,8 @@ struct SurfaceParameters {
     /// The accuracy of tracing and inserting, in the field as interpolated.
     Accuracy accuracy = Accuracy::Balanced;
     Interpolation interpolation = Interpolation::Linear; ///< of stored velocity
+    /// Stored velocity between stored times. Smooth interpolation has its own, and goes with Linear only.
+    Between between = Between::Linear;
     /// Lets cells merge where both of their sides are shorter than this part of the separation; 0: never.
     double merge = 0.35;
     /// Limits the angle between neighbouring cells, in degrees: cells that meet at more are refined, along

@@ -68,8 +68,8 @@ class OpenRpcTest(unittest.TestCase):
         of_surfaces = {each["name"]: each["schema"]["default"] for each in self.methods["surface.set"]["params"]
                        if "default" in each["schema"]}
         self.assertEqual(of_surfaces, {
-            "default": False, "accuracy": "balanced", "interpolation": "linear", "refine": "on", "merge": 0.35, "angle": 20,
-            "stagnationSpeed": 1e-6, "maxQuads": 1_000_000, "fields": []})
+            "default": False, "accuracy": "balanced", "interpolation": "linear", "between": "linear", "refine": "on", "merge": 0.35,
+            "angle": 20, "stagnationSpeed": 1e-6, "maxQuads": 1_000_000, "fields": []})
 
     def test_examples_are_calls_and_answers_that_the_schemas_allow(self):
         self.assertEqual([name for name, method in self.methods.items() if not method.get("examples")], [])

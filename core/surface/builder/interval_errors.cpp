@@ -247,6 +247,9 @@ std::string no_interval_errors(const SurfacePlan& plan, std::optional<double> en
         return "the field is frozen: nothing is interpolated between stored times";
     if (!plan.flow->time_bounds())
         return "the flow is known at all times: nothing is interpolated between stored times";
+    if (plan.parameters.between != Between::Linear ||
+        plan.parameters.interpolation != Interpolation::Linear)
+        return "it is estimated only of what is linear between stored times";
     const std::size_t times = stored_times(*plan.flow, plan.parameters, ended).size();
     return times < least_stored_times ? "the surface uses " + std::to_string(times) +
                                             " stored times, and at least 5 are needed"

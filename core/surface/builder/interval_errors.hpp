@@ -1,8 +1,8 @@
 // The error of a finished surface that comes from interpolating between stored times. Its particles are traced
-// again through every second and every third stored time. Interpolating between stored times h apart is off by
-// e h^2, so these are 3 e h^2 and 8 e h^2 from the surface (Richardson's extrapolation): both tell e, and where
-// they agree the series resolves the flow. Both are begun at the first and at the second
-// stored time: they are off by the same on average, and where every second differ they do not resolve it either.
+// again through every second and every third stored time. Interpolating linearly between stored times h apart is off
+// by e h^2, so these are 3 e h^2 and 8 e h^2 from the surface (Richardson's extrapolation): both tell e, and where
+// they agree the series resolves the flow. Both are begun at the first and at the second stored time: they are off by
+// the same on average, and where every second differ they do not resolve it either.
 #pragma once
 
 #include "core/base/result.hpp"

@@ -66,6 +66,21 @@ Result<void> check_interpolation(const Flow& flow, Interpolation wanted) {
                 "leave `interpolation` out, or choose linear");
 }
 
+Result<void> check_between(const Flow& flow, const SurfaceParameters& p) {
+    if (p.between == Between::Linear)
+        return {};
+    if (!flow.time_range())
+        return fail(Error::Code::InvalidArgument,
+                    "`between` cannot be other than linear here: a built-in flow is a formula, "
+                    "which is known at all times",
+                    "leave `between` out, or choose linear");
+    if (p.interpolation == Interpolation::Smooth)
+        return fail(Error::Code::InvalidArgument,
+                    "`between` goes with `interpolation` linear: smooth is cubic in time already",
+                    "leave out the one or the other");
+    return {};
+}
+
 /// Takes the part inside the domain.
 Result<void> clip(Rake& rake, const Box& domain, bool& clipped) {
     return clip_rake(rake, domain).map([&](ClippedRake&& kept) {
@@ -118,12 +133,15 @@ plan_surface(std::shared_ptr<const Flow> flow, const Rake& rake, SurfaceParamete
     auto sound = check_values(p)
                      .and_then([&] { return check_direction(p); })
                      .and_then([&] { return check_interpolation(*plan.flow, p.interpolation); })
+                     .and_then([&] { return check_between(*plan.flow, p); })
                      .and_then([&] { return check_separation(*plan.flow, p.separation); })
                      .and_then([&] { return clip_rakes(plan); })
                      .and_then([&] { return check_times(*plan.flow, p); });
     if (!sound)
         return tl::unexpected(std::move(sound.error()));
     p.direction = direction_of(p);
+    if (p.between != Between::Linear)
+        plan.flow = plan.flow->interpolated(p.between);
     if (p.kind != SurfaceKind::Level)
         plan.seeding = SeedingCurve(plan.rake);
     return plan;

@@ -39,6 +39,7 @@ SurfaceRecord some_surface(std::mt19937_64& random) {
     p.direction = static_cast<core::Direction>(random() % 3);
     p.accuracy = static_cast<core::Accuracy>(random() % 3);
     p.interpolation = static_cast<core::Interpolation>(random() % 2);
+    p.between = static_cast<core::Between>(random() % 3);
     p.from = number(random);
     p.to = number(random);
     p.separation = std::abs(number(random));

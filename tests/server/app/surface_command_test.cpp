@@ -316,6 +316,8 @@ TEST_F(SurfaceCommand, AnswersWrongUsageWithStatusTwo) {
     refuses({"--accuracy", "good"}, 2, "--accuracy");
     refuses({"--interpolation", "cubic"}, 2, "--interpolation");
     refuses({"--interpolation", "smooth"}, 2, "--interpolation cannot be smooth here");
+    refuses({"--between", "smooth"}, 2, "--between");
+    refuses({"--between", "flow"}, 2, "--between cannot be other than linear here");
     refuses({"-o", file("out.stl")}, 2, ".vtp, .glb, .ply, .obj or .drc");
     refuses({"-o", file("out")}, 2, "no known extension");
     refuses({"-o", file("out.PLY")}, 2, "no known extension");

@@ -44,11 +44,15 @@ std::shared_ptr<const Flow> stored(const std::function<double(double)>& speed,
         std::make_shared<TimeStepCache>(std::move(source), TimeStepCache::Options{}));
 }
 
-SurfacePlan plan(std::shared_ptr<const Flow> flow, SurfaceKind kind, double separation = 0.25) {
+SurfacePlan plan(std::shared_ptr<const Flow> flow,
+                 SurfaceKind kind,
+                 double separation = 0.25,
+                 Between between = Between::Linear) {
     SurfaceParameters p;
     p.kind = kind;
     p.to = end;
     p.separation = separation;
+    p.between = between;
     p.accuracy = Accuracy::Exact;
     if (kind == SurfaceKind::Time)
         p.sweep = Vec3(0.5, 0.0, 0.0);
@@ -100,8 +104,9 @@ TEST(IntervalErrors, ComeNearerToTheTrueOnesWithTheSquareOfTheInterval) {
             }
             EXPECT_GT(largest, 1e-4);
             EXPECT_LT(off, largest);
-            if (before > 0.0)
+            if (before > 0.0) {
                 EXPECT_LT(off, before / 3.0) << intervals;
+            }
             before = off;
         }
     }
@@ -126,8 +131,9 @@ TEST(IntervalErrors, OfAPathSurfaceInBothDirectionsAreThoseOfEither) {
             continue;
         const double t = surface.mesh.t[v];
         const double real = std::abs(surface.mesh.position[v].x - 2.0 - way(p.from, p.from + t));
-        if (std::abs(t) > 0.25)
+        if (std::abs(t) > 0.25) {
             EXPECT_NEAR(std::log2(double{surface.mesh.interval_error[v]} / real), 0.0, 1.0) << t;
+        }
         double& side = largest[t < 0.0 ? 0 : 1];
         side = std::max(side, real);
     }
@@ -211,6 +217,10 @@ TEST(IntervalErrors, AreLeftOutWithTheReason) {
     EXPECT_EQ(reason(stored(oscillating, 3), SurfaceKind::Streak),
               "the surface uses 4 stored times, and at least 5 are needed");
     EXPECT_EQ(reason(stored(oscillating, 4), SurfaceKind::Streak), "");
+    for (const Between between : {Between::Cubic, Between::Flow})
+        EXPECT_EQ(
+            no_interval_errors(plan(stored(oscillating, 16), SurfaceKind::Streak, 0.25, between)),
+            "it is estimated only of what is linear between stored times");
 }
 
 TEST(ThinnedFlow, HasTheTimesThatAreLeftAndIsLinearBetween) {

@@ -1,5 +1,7 @@
 #include "core/field/analytic_flow.hpp"
+#include "core/field/stored_flow.hpp"
 #include "core/surface/request/surface_plan.hpp"
+#include "tests/support/sampled_source.hpp"
 #include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>
@@ -119,6 +121,26 @@ TEST(SurfacePlan, RefuseTheSmoothFieldOfWhatHasNone) {
         auto setting = of_kind(kind);
         setting.parameters.interpolation = Interpolation::Smooth;
         EXPECT_TRUE(holds(complaint(setting), "`interpolation`"));
+    }
+}
+
+TEST(SurfacePlan, RefuseOtherThanLinearBetweenTheStoredTimesOfAFormulaAndOfTheSmoothField) {
+    for (const auto between : {Between::Cubic, Between::Flow}) {
+        auto setting = of_kind(SurfaceKind::Path);
+        setting.parameters.between = between;
+        EXPECT_TRUE(holds(complaint(setting), "`between`"));
+        const std::shared_ptr<const Flow> stored = make_stored_flow(std::make_shared<TimeStepCache>(
+            std::make_shared<tests::SampledSource>(
+                UniformGrid{Vec3(-1.0), Vec3(1.0), {4, 4, 4}}, std::vector{0.0, 2.0, 4.0},
+                [](const Vec3&, double t) { return Vec3(t, 0.0, 0.0); }),
+            TimeStepCache::Options{}));
+        const auto plan = plan_surface(stored, setting.rake, setting.parameters);
+        ASSERT_TRUE(plan);
+        EXPECT_EQ(plan->flow, stored->interpolated(between));
+        setting.parameters.interpolation = Interpolation::Smooth;
+        const auto refused = plan_surface(stored, setting.rake, setting.parameters);
+        ASSERT_FALSE(refused);
+        EXPECT_TRUE(holds(refused.error().message, "`between`"));
     }
 }
 
