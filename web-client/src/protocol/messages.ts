@@ -51,7 +51,7 @@ export type {
     Terminations,
     ValueRange,
 } from './generated/subscription.ts';
-export type { Accuracy, Direction, Interpolation, Refine, SurfaceKind, SurfaceSetParams } from './generated/surface.ts';
+export type { Accuracy, Between, Direction, Interpolation, Refine, SurfaceKind, SurfaceSetParams } from './generated/surface.ts';
 export { isVec3, type Vec3 } from './vec3.ts';
 
 /** What this client speaks; the server names its own level in `server.info`. */

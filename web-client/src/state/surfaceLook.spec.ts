@@ -16,7 +16,7 @@ const other: SurfaceLook = {
     angleOpacity: true,
     smoke: 0.5,
     silhouettes: true,
-            hatched: false,
+    hatched: false,
     lines: 'checker',
     pieces: 'arrows',
     pieceEvery: 0.5,

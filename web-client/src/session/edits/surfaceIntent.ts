@@ -3,6 +3,7 @@ import type {
     Accuracy,
     DatasetDescription,
     Direction,
+    Between,
     Interpolation,
     Refine,
     SurfaceKind,
@@ -27,6 +28,8 @@ export interface SurfaceIntent {
     direction: Direction;
     accuracy: Accuracy;
     interpolation: Interpolation;
+    /** How stored velocity goes from one stored time to the next. */
+    between: Between;
     /** Off: a grid that stays as the rake begins it. */
     refine: Refine;
     /** What is carried along for colouring, beside the speed. */
@@ -44,14 +47,14 @@ export interface SurfaceIntent {
 }
 
 export function intentOf(record: SurfaceRecord): SurfaceIntent {
-    const { kind, from, to, separation, direction, accuracy, interpolation, refine, fields } = record;
+    const { kind, from, to, separation, direction, accuracy, interpolation, between, refine, fields } = record;
     const { maxQuads, merge, angle } = record;
     const { releaseUntil, life = null, sweep = null, rake2 = null, field = null, level = null } = record;
     const released = releaseUntil === undefined ? null : Math.abs(releaseUntil - from);
     const length = Math.abs(to - from);
     const mesh = { separation, refine, maxQuads, merge, angle };
     const curves = { sweep, rake2, field, level };
-    return { kind, from, length, ...mesh, direction, accuracy, interpolation, fields, released, life, ...curves };
+    return { kind, from, length, ...mesh, direction, accuracy, interpolation, between, fields, released, life, ...curves };
 }
 
 /** A time surface needs a second curve: where none was chosen, the rake is swept across the domain. */
@@ -71,13 +74,13 @@ export function settingOf(
     times: readonly number[],
     steady: boolean,
 ): SurfaceSetting | null {
-    const { kind, from, direction, accuracy, interpolation, fields } = intent;
+    const { kind, from, direction, accuracy, interpolation, between, fields } = intent;
     const { separation, refine, maxQuads, merge, angle } = intent;
     if (kind === 'level') return levelSetting(intent, record, times);
     if (!(followed(intent, times, steady) > 0)) return null;
     const to = endOf(intent, times, steady);
     const shown = { from, to, releaseUntil: releaseEnd(intent, to - from), life: intent.life ?? undefined };
-    const field = { accuracy, interpolation, fields: [...fields] };
+    const field = { accuracy, interpolation, between, fields: [...fields] };
     const mesh = { separation, refine, maxQuads, merge, angle };
     const wanted = { kind, ...mesh, direction, ...field, ...shown, ...secondCurve(intent) };
     return { ...recordSetting({ ...record, ...wanted }), surface: record.surface };

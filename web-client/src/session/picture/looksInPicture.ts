@@ -52,7 +52,14 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
             const units = look.pieces === 'whole' ? {} : { units: closed ? ('closed' as const) : ('open' as const) };
             const fixed = look.smoke > 0 && record.refine === 'off' ? { unresolved: true as const } : {};
             const curved = look.curved ? { curved: view.pixelsPerLength.value } : {};
-            const wish = { attributes: attributesOf(look, record.fields), parts, trimmed: look.trimmed, ...units, ...fixed, ...curved };
+            const wish = {
+                attributes: attributesOf(look, record.fields),
+                parts,
+                trimmed: look.trimmed,
+                ...units,
+                ...fixed,
+                ...curved,
+            };
             const text = JSON.stringify(wish);
             if (sent.get(id) === text) continue;
             sent.set(id, text);

@@ -29,7 +29,9 @@ describe('the fields of a surface', () => {
         expect(asked(['p', 'interval_error'], { hatched: true }).changes).toEqual([]);
         const { changes, said } = asked(['a', 'b', 'c', 'd', 'e'], { hatched: true });
         expect([changes, said]).toEqual([[], 'A surface carries 5 fields for everybody: interval_error has no room.']);
-        expect(asked(['a', 'b', 'c', 'd', 'interval_error'], { colourBy: 'field:p' }).changes).toEqual([['a', 'b', 'c', 'd', 'p']]);
+        expect(asked(['a', 'b', 'c', 'd', 'interval_error'], { colourBy: 'field:p' }).changes).toEqual([
+            ['a', 'b', 'c', 'd', 'p'],
+        ]);
     });
 
     it('have room for a flow texture, its colour and the colour of someone else', () => {

@@ -68,7 +68,8 @@ export function changeLookWithFields(
     const look = { ...before, ...change };
     view.changeLook(surface, change);
     const { fields: carried } = record;
-    const isNew = (name: string): boolean => !attributesOf(before, carried).includes(name) && !['speed', ...carried].includes(name);
+    const isNew = (name: string): boolean =>
+        !attributesOf(before, carried).includes(name) && !['speed', ...carried].includes(name);
     const hatch = change.hatched === true && !carried.includes(intervalError);
     if (state.role.value === 'viewer' || !(hatch || attributesOf(look, carried).some(isNew))) return;
     const { fields, gone, missing } = fieldsWith(carried, look, hatch);

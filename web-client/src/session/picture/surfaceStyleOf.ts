@@ -1,7 +1,14 @@
 // From the look that a user wants to what the picture needs: names become attributes, ranges those of the
 // dataset.
 import { normalNames } from '../../mesh/meshChange.ts';
-import type { DatasetDescription, FieldDescription, RakeRecord, SurfaceRecord, SurfaceStats, Vec3 } from '../../protocol/messages.ts';
+import type {
+    DatasetDescription,
+    FieldDescription,
+    RakeRecord,
+    SurfaceRecord,
+    SurfaceStats,
+    Vec3,
+} from '../../protocol/messages.ts';
 import { niceStep } from '../../scene/base/numbers.ts';
 import { steadyRange } from '../../scene/surface/colourMap.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
@@ -17,7 +24,15 @@ export const estimatedError = 'error';
 export const intervalError = 'interval_error';
 /** Name the components of the vorticity along x, y and z. */
 export const vorticityComponents = ['vorticity_x', 'vorticity_y', 'vorticity_z'] as const;
-const derived: readonly string[] = [deformation, vorticity, ...vorticityComponents, qCriterion, 'approximated', estimatedError, intervalError];
+const derived: readonly string[] = [
+    deformation,
+    vorticity,
+    ...vorticityComponents,
+    qCriterion,
+    'approximated',
+    estimatedError,
+    intervalError,
+];
 const fieldMark = 'field:';
 const usualColour = '#8fb8de';
 

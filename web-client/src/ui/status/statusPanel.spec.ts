@@ -39,7 +39,9 @@ describe('a surface that is there', () => {
         await counted({ kind: 'streak', intervalPending: true, intervalLeftOut: 'it is not estimated yet' });
         expect(between()).toBe('Between stored times: being estimated');
         await counted({ intervalError99: 0.412, separation: 0.02, intervalUnresolved: 0.123, advisedInterval: 0.104 });
-        expect(between()).toBe('Between stored times: 99 % within 0.41, 12 % not resolved; data every 0.1 would bring it to 0.02');
+        expect(between()).toBe(
+            'Between stored times: 99 % within 0.41, 12 % not resolved; data every 0.1 would bring it to 0.02',
+        );
         await counted({ intervalError99: 0.001, separation: 0.02, intervalUnresolved: 0.004, advisedInterval: 3 });
         expect(between()).toBe('Between stored times: 99 % within 0.001, less than 1 % not resolved');
         await counted({ kind: 'streak', intervalLeftOut: 'the surface uses 3 stored times, and at least 5 are needed' });

@@ -5,6 +5,7 @@ import type {
     Accuracy,
     DatasetDescription,
     Direction,
+    Between,
     Interpolation,
     SurfaceKind,
     SurfaceRecord,
@@ -52,6 +53,12 @@ const accuracies: readonly Choice<Accuracy>[] = [
 const interpolations: readonly Choice<Interpolation>[] = [
     { value: 'linear', words: 'Linear, as in ParaView' },
     { value: 'smooth', words: 'Smooth, cubic' },
+];
+
+const betweens: readonly Choice<Between>[] = [
+    { value: 'linear', words: 'Linear, as in ParaView' },
+    { value: 'cubic', words: 'Cubic' },
+    { value: 'flow', words: 'Along the flow' },
 ];
 
 const kindNames: Record<SurfaceKind, string> = {
@@ -184,7 +191,19 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                 ${
                     dataset.smooth
                         ? selectRow('interpolation', 'Interpolation', interpolations, intent.interpolation, (interpolation) =>
-                              edits.changeSurface({ interpolation }),
+                              edits.changeSurface(
+                                  interpolation === 'smooth' ? { interpolation, between: 'linear' } : { interpolation },
+                              ),
+                          )
+                        : nothing
+                }
+                ${
+                    intent.kind !== 'stream' &&
+                    intent.interpolation === 'linear' &&
+                    dataset.grid !== 'analytic' &&
+                    this.model.state.times.value.length > 2
+                        ? selectRow('between', 'Between stored times', betweens, intent.between, (between) =>
+                              edits.changeSurface({ between }),
                           )
                         : nothing
                 }
