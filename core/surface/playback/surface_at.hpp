@@ -4,6 +4,7 @@
 
 #include "core/base/clock.hpp"
 #include "core/base/work_done.hpp"
+#include "core/surface/playback/evolution.hpp"
 #include "core/surface/quad_complex.hpp"
 #include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface_parameters.hpp"
@@ -14,13 +15,6 @@
 #include <vector>
 
 namespace wakesurf::core {
-
-/// True of surfaces that differ from time to time of a clock.
-bool moves(const SurfaceParameters& parameters);
-
-/// Returns the age of a surface, from its (first) release, at a time of the clock, clamped to the times of
-/// the surface; at its end without a time.
-double age_at(const SurfaceParameters& parameters, std::optional<double> time);
 
 /// The surface at one time.
 struct SurfaceAt {
