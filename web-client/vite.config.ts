@@ -2,6 +2,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
+import { animationPage } from './tools/animation_page.ts';
 import { thirdPartyNotices } from './tools/third_party_notices.ts';
 
 const python = fileURLToPath(new URL('../python/', import.meta.url));
@@ -38,16 +39,18 @@ const shaderComments: Plugin = {
 
 const notices = thirdPartyNotices();
 
+const resolve = {
+    alias: [
+        // Its sources are a module a part; the package's own bundle has all of them.
+        { find: /^three$/, replacement: 'three/src/Three.js' },
+        { find: unusedShaders, replacement: 'data:text/javascript,export default ""' },
+    ],
+};
+
 export default defineConfig({
     base: './',
-    resolve: {
-        alias: [
-            // Its sources are a module a part; the package's own bundle has all of them.
-            { find: /^three$/, replacement: 'three/src/Three.js' },
-            { find: unusedShaders, replacement: 'data:text/javascript,export default ""' },
-        ],
-    },
-    plugins: [pythonClient, shaderComments, notices.page],
+    resolve,
+    plugins: [pythonClient, shaderComments, notices.page, animationPage({ resolve, plugins: [shaderComments] })],
     build: {
         target: 'es2022',
         outDir: 'dist',

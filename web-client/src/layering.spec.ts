@@ -13,6 +13,7 @@ const allowed: Record<string, readonly string[]> = {
     scene: ['mesh', 'protocol'],
     state: ['mesh', 'protocol', 'connection'],
     worker: ['mesh', 'protocol', 'connection'],
+    animation: ['mesh', 'protocol', 'scene', 'worker'],
     session: ['mesh', 'protocol', 'connection', 'scene', 'state', 'worker'],
     ui: ['mesh', 'protocol', 'connection', 'scene', 'state', 'worker', 'session'],
 };

@@ -63,6 +63,13 @@ export class MeshDecoder {
         this.update = undefined;
     }
 
+    /** Goes on from another whole state of the same surface, which is this decoder's own from now on; from none: with a KEY. */
+    beginAgain(from?: { header: FrameHeader; mesh: WireMesh }): void {
+        this.header = from?.header;
+        this.state = from?.mesh;
+        this.update = undefined;
+    }
+
     /**
      * Gives the update that the frame made whole. Throws FrameError when the frame is damaged or does not
      * continue what is there; after that only a frame that starts a KEY is taken.
