@@ -1,6 +1,5 @@
 #include "core/base/machine_memory.hpp"
 #include "core/surface/budget_search.hpp"
-#include "core/surface/builder/interval_errors.hpp"
 #include "core/surface/builder/surface_builder.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/patches/tessellation.hpp"
@@ -9,8 +8,6 @@
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/api/generated/surface_options.hpp"
-#include "protocol/files/mesh_file.hpp"
-#include "protocol/files/surface_lines.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/name_mapping.hpp"
@@ -18,8 +15,10 @@
 #include "server/app/output_files.hpp"
 #include "server/app/progress_line.hpp"
 #include "server/app/stop_tokens.hpp"
+#include "server/app/surface_output.hpp"
 #include "server/app/surface_passes.hpp"
 #include "server/app/surface_request.hpp"
+#include "server/app/surface_series.hpp"
 #include "server/base/process_account.hpp"
 #include "server/data/surface_scalars.hpp"
 #include "store/command/memory_size.hpp"
@@ -138,47 +137,6 @@ core::Result<BuiltSurface> build(const std::string& dataset,
         });
 }
 
-/// Estimates the error between stored times; statistics then have it, or why it is left out.
-void state_interval_errors(BuiltSurface& built,
-                           const core::SurfacePlan& plan,
-                           const SurfaceOptions& options,
-                           const core::MemoryAccount& account,
-                           const std::stop_token& stop) {
-    std::string& left_out = built.surface.statistics.interval_left_out;
-    left_out = built.cut_short ? "the time limit was over" : core::no_interval_errors(plan);
-    if (!left_out.empty())
-        return;
-    const ElapsedLine progress("estimating the error between stored times");
-    const int used = options.threads > 0 ? options.threads
-                                         : static_cast<int>(std::thread::hardware_concurrency());
-    tbb::task_arena arena(used);
-    core::WorkMemory memory(account, stop, std::chrono::seconds(1),
-                            "the error between stored times");
-    const auto stated = arena.execute([&] {
-        return core::state_interval_errors(plan, built.surface, stop, {nullptr, &memory});
-    });
-    if (!stated)
-        left_out = stop.stop_requested() ? "it was stopped" : stated.error().message;
-}
-
-core::Result<std::string> file_of(protocol::MeshFormat format,
-                                  const std::optional<protocol::LinesWanted>& wanted,
-                                  const core::Surface& surface,
-                                  const protocol::MeshMetadata& metadata,
-                                  const protocol::MeshScalars& scalars,
-                                  bool draco) {
-    const bool points = wanted && wanted->form == protocol::LinesWanted::Form::Points;
-    if (!wanted || points)
-        return protocol::mesh_file(format, surface.mesh, metadata, scalars,
-                                   draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain,
-                                   points ? protocol::PlyElements::Points
-                                          : protocol::PlyElements::Cells);
-    return protocol::surface_lines(surface.mesh, *wanted, metadata.rake.closed())
-        .and_then([&](const auto& lines) {
-            return protocol::lines_file(format, lines, *wanted, metadata);
-        });
-}
-
 core::Result<void> write(const SurfaceOptions& options,
                          const std::optional<protocol::LinesWanted>& lines,
                          const core::SurfacePlan& plan,
@@ -196,10 +154,7 @@ core::Result<void> write(const SurfaceOptions& options,
                                           .version = WAKESURF_VERSION,
                                           .stopped = surface.statistics.stopped,
                                           .errors = protocol::stated_errors(surface.statistics)};
-    // Checked before the work began: the name has one of the extensions.
-    const auto format =
-        protocol::mesh_format(std::filesystem::path(options.output).extension().string().substr(1));
-    auto written = file_of(*format, lines, surface, metadata, scalars, options.draco)
+    auto written = file_of(options.output, lines, surface.mesh, metadata, scalars, options.draco)
                        .and_then([&](const std::string& bytes) {
                            return write_whole_file(options.output, bytes);
                        });
@@ -216,59 +171,6 @@ core::Result<void> write(const SurfaceOptions& options,
                                       {"vertices", surface.mesh.vertices()},
                                       {"flatCells", flat_cells}};
     return write_whole_file(options.stats, protocol::json_text(statistics, 2) + "\n");
-}
-
-/// Prints how the result differs from the request to standard error. Error: there is nothing to see, for a
-/// reason that can be cured.
-core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bool cut_short) {
-    if (statistics.empty && !statistics.empty->natural())
-        return core::fail(core::Error::Code::InvalidArgument, statistics.empty->message,
-                          statistics.empty->hint);
-    if (statistics.empty)
-        tell(stderr, "wakesurf: the surface is empty: {}; {}\n", statistics.empty->message,
-             with_options({{}, {}, statistics.empty->hint}).hint);
-    if (cut_short) { // the reason why it is coarser, or lacks particles
-        tell(stderr, "wakesurf: not finished: {}; raise --seconds\n", statistics.stopped);
-        return {};
-    }
-    if (statistics.coarsened())
-        tell(stderr,
-             "wakesurf: coarsened: a separation of {:.4g} needs more quads than allowed, so it is "
-             "{:.4g}; raise --max-quads\n",
-             statistics.requested_separation, statistics.separation);
-    if (statistics.terminated.budget > 0)
-        tell(stderr,
-             "wakesurf: {} particles were not followed to the end: they take too many steps; "
-             "raise --max-quads, or shorten the time\n",
-             statistics.terminated.budget);
-    if (statistics.error && statistics.error->uncertain > 0)
-        tell(stderr,
-             "wakesurf: {} of {} vertices are uncertain: the surface may be more than the "
-             "separation away from them; --accuracy exact places them better\n",
-             statistics.error->uncertain, statistics.vertices);
-    if (statistics.interval_error && statistics.interval_error->error99 > statistics.separation)
-        tell(stderr,
-             "wakesurf: between stored times: 99 % of the vertices that are resolved are within "
-             "{:.2g}, more than the separation{}\n",
-             statistics.interval_error->error99,
-             statistics.advised_interval
-                 ? fmt::format("; data every {:.2g} would bring it to {:.2g}",
-                               *statistics.advised_interval, statistics.separation)
-                 : "");
-    if (statistics.interval_error && statistics.interval_error->unresolved >= 0.1)
-        tell(stderr,
-             "wakesurf: {:.0f} % of the vertices are not resolved: the stored times are too far "
-             "apart "
-             "for them\n",
-             100.0 * statistics.interval_error->unresolved);
-    if (!statistics.stopped.empty())
-        tell(stderr, "wakesurf: the surface ends early: {}\n", statistics.stopped);
-    if (statistics.data_end)
-        tell(stderr,
-             "wakesurf: the surface goes back only to {}, where the data begin, so it is shorter "
-             "backward than forward\n",
-             *statistics.data_end);
-    return {};
 }
 
 /// Completes the options from the data, and makes the checks that need the data.
@@ -319,6 +221,7 @@ core::Result<void> make(const SurfaceOptions& options,
                         const TimeLimit& limit,
                         const std::stop_token& stop) {
     const auto lines = request.lines;
+    const auto series = request.series;
     const ProcessAccount process(options.memory);
     const auto dataset = open_for_command(options.dataset, options.store, options.taken,
                                           process.account(), limit.token());
@@ -327,6 +230,8 @@ core::Result<void> make(const SurfaceOptions& options,
     const auto plan = planned(std::move(request), options, *dataset, limit.token());
     if (!plan)
         return tl::unexpected(nothing_yet(plan.error(), limit));
+    if (series)
+        return write_series(options, *series, lines, *plan, *dataset, process.account(), stop);
     const std::clock_t began = std::clock();
     auto built =
         build_within(limit, plan->parameters, core::coarsest_separation(dataset->flow->domain()),
@@ -343,7 +248,10 @@ core::Result<void> make(const SurfaceOptions& options,
     core::Surface& surface = built->surface;
     const double processor_seconds =
         static_cast<double>(std::clock() - began) / static_cast<double>(CLOCKS_PER_SEC);
-    state_interval_errors(*built, *plan, options, process.account(), limit.token());
+    if (built->cut_short)
+        surface.statistics.interval_left_out = "the time limit was over";
+    else
+        state_interval_errors(surface, *plan, options.threads, process.account(), limit.token());
     if (auto shown = tell_statistics(surface.statistics, built->cut_short); !shown)
         return shown;
     core::WorkMemory memory(process.account(), stop, std::chrono::seconds(1), "the surface's file");
@@ -428,10 +336,15 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command::add_source_options(command, options.taken);
     command
         .add_option("-o,--output", options.output,
-                    "File to write: .vtp, .glb, .ply, .obj or .drc, or .png for a picture of it, "
-                    "which needs "
-                    "Python with numpy, and Chromium")
+                    "File to write: .vtp, .glb, .ply, .obj or .drc; NAME_%03d.EXT for a file a "
+                    "time, see --times; .html for an animation that a browser opens from the disk, "
+                    "without a server; or .png for a picture, which needs Python with numpy, and "
+                    "Chromium")
         ->required();
+    command.add_option("--times", options.times,
+                       "FIRST:LAST:EVERY: times of an animation, or of a file each; between --from "
+                       "and --to, of a stream surface --from plus the age (default of an "
+                       "animation: 200 from --from to --to)");
     command.add_option("--size", options.size, "WIDTHxHEIGHT of a picture, in pixels")
         ->capture_default_str()
         ->check([](const std::string& text) -> std::string {

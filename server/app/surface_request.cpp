@@ -229,7 +229,8 @@ core::Result<void> check_output(const std::string& output, const char* option, b
     if (mesh && (extension.empty() || !protocol::mesh_format(extension.substr(1))))
         return core::fail(Code::InvalidArgument,
                           std::string(option) + ": '" + output + "' has no known extension",
-                          "write " + protocol::mesh_extensions() + ", or .png for a picture");
+                          "write " + protocol::mesh_extensions() +
+                              ", .html for an animation, or .png for a picture");
     std::error_code ignored;
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, ignored))
@@ -270,6 +271,23 @@ core::Result<void> check_picture_options(const SurfaceOptions& options) {
     return {};
 }
 
+/// Returns InvalidArgument for an option that a series does not take.
+core::Result<void> check_series_options(const SurfaceOptions& options, const Series& series) {
+    const std::pair<bool, const char*> others[] = {
+        {series.animation && !options.lines.empty(), "--lines"},
+        {options.tessellate > 1, "--tessellate"},
+        {series.animation && !options.draco, "--no-draco"},
+        {!options.stats.empty(), "--stats"},
+        {options.seconds > 0.0, "--seconds"}};
+    for (const auto& [given, option] : others)
+        if (given)
+            return core::fail(core::Error::Code::InvalidArgument,
+                              std::string(option) + " cannot be combined with " +
+                                  (series.animation ? "an animation" : "--times"),
+                              "leave it out, or write one mesh");
+    return {};
+}
+
 } // namespace
 
 core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options) {
@@ -306,7 +324,15 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
         request.parameters.rake2 = *std::move(second);
     }
     request.picture = std::filesystem::path(options.output).extension() == ".png";
-    if (auto checked = check_output(options.output, "-o", !request.picture); !checked)
+    auto series = read_series(options.output, options.times);
+    if (!series)
+        return tl::unexpected(series.error());
+    request.series = *series;
+    if (request.series)
+        if (auto checked = check_series_options(options, *request.series); !checked)
+            return tl::unexpected(checked.error());
+    const bool animation = request.series && request.series->animation;
+    if (auto checked = check_output(options.output, "-o", !request.picture && !animation); !checked)
         return tl::unexpected(checked.error());
     if (request.picture)
         if (auto checked = check_picture_options(options); !checked)

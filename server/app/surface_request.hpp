@@ -6,6 +6,7 @@
 #include "core/surface/surface_parameters.hpp"
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/files/surface_lines.hpp"
+#include "server/app/series_request.hpp"
 #include "server/data/open_dataset.hpp"
 #include "store/command/source_options.hpp"
 
@@ -36,6 +37,7 @@ struct SurfaceOptions {
     std::string output;
     bool draco = true;            ///< in .glb files
     std::uint32_t tessellate = 1; ///< quads a cell becomes, each way
+    std::string times;            ///< FIRST:LAST:EVERY; empty: one file of one time
     std::string lines;            ///< which lines are written instead of the mesh; empty: the mesh
     std::string stats;
     std::string size = "1600x1000"; ///< of a picture, in pixels
@@ -51,6 +53,7 @@ struct SurfaceRequest {
     std::optional<protocol::LinesWanted> lines; ///< instead of the mesh
     std::string asked;    ///< JSON: of surface.set, what was given; without rakes and dataset
     bool picture = false; ///< instead of the mesh
+    std::optional<Series> series{}; ///< instead of one mesh
 };
 
 /// Checks the options. Error: InvalidArgument for wrong usage, Unsupported for what wakesurf cannot do,

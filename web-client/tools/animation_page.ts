@@ -44,7 +44,10 @@ export function animationPage({ resolve, plugins }: Pick<UserConfig, 'resolve' |
                 script,
                 style,
             };
-            const page = readFileSync(`${folder}animation.html`, 'utf8').replace(/\{\{(\w+)\}\}/g, (_, name: string) => parts[name]!);
+            const page = readFileSync(`${folder}animation.html`, 'utf8').replace(
+                /\{\{(\w+)\}\}/g,
+                (_, name: string) => parts[name]!,
+            );
             this.emitFile({ type: 'asset', fileName: 'animation.html', source: page });
         },
     };

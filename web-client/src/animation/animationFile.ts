@@ -39,7 +39,9 @@ export interface AnimationFile {
 
 /** Throws where the file is not whole. */
 export function readAnimation(description: string, frames: string): AnimationFile {
-    if (description === '' || frames === '') throw new Error('This page holds no animation. wakesurf surface -o FILE.html writes one.');
+    if (description === '' || frames === '') {
+        throw new Error('This page holds no animation. wakesurf surface -o FILE.html writes one.');
+    }
     return { description: JSON.parse(description) as AnimationDescription, frames: split(bytesOf(frames)) };
 }
 
@@ -54,7 +56,7 @@ export function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
 function split(bytes: Uint8Array): Uint8Array[] {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     const frames: Uint8Array[] = [];
-    for (let at = 0; at < bytes.length; ) {
+    for (let at = 0; at < bytes.length;) {
         const begin = at + 4;
         at = begin > bytes.length ? Infinity : begin + view.getUint32(begin - 4, true);
         if (at > bytes.length) throw new Error('This file is not whole: it ends within a step.');

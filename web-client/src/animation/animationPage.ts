@@ -103,7 +103,12 @@ function show({ description }: AnimationFile, steps: AnimationSteps, scene: Flow
     speed.addEventListener('change', () => (player.speed = Number(speed.value)));
     addEventListener('keydown', (event) => {
         if (event.target !== document.body && event.target !== scene.renderer.domElement) return;
-        const jump: Record<string, number> = { ArrowLeft: player.step - 1, ArrowRight: player.step + 1, Home: 0, End: steps.count - 1 };
+        const jump: Record<string, number> = {
+            ArrowLeft: player.step - 1,
+            ArrowRight: player.step + 1,
+            Home: 0,
+            End: steps.count - 1,
+        };
         const to = jump[event.key];
         if (event.key === ' ') toggle();
         else if (to !== undefined) player.goTo(to);
@@ -154,4 +159,3 @@ function styleOf({ kind, from }: AnimationDescription, value: AnimatedValue | nu
 }
 
 start().catch((error: unknown) => fail(error instanceof Error ? error.message : String(error)));
-

@@ -1,0 +1,44 @@
+// What the command `surface` is to write more than one state of: an animation in one file, or a file a time.
+#pragma once
+
+#include "core/base/result.hpp"
+#include "core/surface/surface_parameters.hpp"
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace wakesurf::server {
+
+/// Times FIRST:LAST:EVERY.
+struct SeriesTimes {
+    double first = 0.0;
+    double last = 0.0;
+    double every = 0.0; ///< above 0
+};
+
+struct Series {
+    bool animation = false; ///< one page of all; else a file a time
+    std::optional<SeriesTimes> times{};
+};
+
+inline constexpr std::size_t animation_steps = 200; ///< without --times
+inline constexpr std::size_t most_steps = 2000;     ///< of an animation
+inline constexpr std::size_t most_files = 10000;
+
+/// Reads -o and --times; nothing where they name one file of one time. Error: InvalidArgument.
+core::Result<std::optional<Series>> read_series(const std::string& output,
+                                                const std::string& times);
+
+/// Returns the times, from the first to the last that EVERY leads to; evenly from `from` to `to` where none
+/// were asked for. Error: InvalidArgument for times outside `from` to `to`, against their direction, or too
+/// many.
+core::Result<std::vector<double>> times_of(const Series& series,
+                                           const core::SurfaceParameters& parameters);
+
+/// Returns the name of a file: the pattern with its number. REQUIRES: read_series took the pattern.
+std::filesystem::path name_in(const std::string& pattern, std::size_t number);
+
+} // namespace wakesurf::server

@@ -1,0 +1,186 @@
+#include "server/app/surface_series.hpp"
+
+#include "core/base/clock.hpp"
+#include "core/base/work_done.hpp"
+#include "core/base/work_memory.hpp"
+#include "core/surface/playback/evolution.hpp"
+#include "core/surface/time_direction.hpp"
+#include "protocol/api/generated/names.hpp"
+#include "protocol/files/animation_page.hpp"
+#include "protocol/files/mesh_metadata.hpp"
+#include "server/app/animation_description.hpp"
+#include "server/app/command_output.hpp"
+#include "server/app/output_files.hpp"
+#include "server/app/progress_line.hpp"
+#include "server/app/surface_output.hpp"
+#include "server/data/datasets.hpp"
+#include "server/data/surface_scalars.hpp"
+#include "server/live/surface_animation.hpp"
+#include "server/net/static_files.hpp"
+
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+namespace wakesurf::server {
+
+namespace {
+
+core::Result<std::string> animation_viewer() {
+    const auto folder = find_web_client();
+    std::ifstream stream(folder / "animation.html", std::ios::binary);
+    if (folder.empty() || !stream)
+        return core::fail(core::Error::Code::NotFound,
+                          "the viewer of animations was not found beside this program",
+                          "install all of wakesurf, or build the web client: ./run");
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+}
+
+core::Result<SurfaceJob>
+job_of(const SurfaceOptions& options, const core::SurfacePlan& plan, const LoadedDataset& dataset) {
+    const OpenDataset open{
+        dataset.info,  protocol::lattice_over(dataset.info.bounds, dataset.info.periodic),
+        dataset.flow,  dataset.cache,
+        dataset.store, dataset.scalars,
+        dataset.levels};
+    return fields_once(open, options.fields).map([&](const std::vector<std::string>& names) {
+        return SurfaceJob{
+            1, 1, plan, dataset.store, dataset.scalars, fields_there(open, names), open.lattice};
+    });
+}
+
+core::Result<void> write_animation(const SurfaceOptions& options,
+                                   const core::SurfacePlan& plan,
+                                   const std::vector<double>& times,
+                                   const LoadedDataset& dataset,
+                                   const core::MemoryAccount& account,
+                                   const core::WorkPart& work,
+                                   const std::stop_token& stop) {
+    const auto begun = std::chrono::steady_clock::now();
+    const auto viewer = animation_viewer();
+    if (!viewer)
+        return tl::unexpected(viewer.error());
+    const auto job = job_of(options, plan, dataset);
+    if (!job)
+        return tl::unexpected(job.error());
+    core::SteadyClock clock;
+    auto animation = animate(*job, times, clock, stop, work);
+    if (!animation)
+        return tl::unexpected(animation.error());
+    state_interval_errors(animation->last, plan, options.threads, account, stop);
+    if (auto shown = tell_statistics(animation->last.statistics, false); !shown)
+        return shown;
+    if (stop.stop_requested())
+        return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
+    auto page = protocol::animation_page(
+        *viewer, description_of(*animation, *job, dataset.info, WAKESURF_VERSION),
+        animation->frames);
+    if (!page)
+        return tl::unexpected(page.error());
+    if (auto written = write_whole_file(options.output, *page); !written)
+        return written;
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
+    tell("{}: {} steps, up to {} vertices, {:.1f} MB, {:.2f} bytes a vertex and step, {:.1f} s\n",
+         options.output, times.size(), animation->most_vertices,
+         static_cast<double>(page->size()) / 1e6,
+         static_cast<double>(animation->frames.size()) /
+             static_cast<double>(std::max<std::uint64_t>(1, animation->all_vertices)),
+         took.count());
+    return {};
+}
+
+core::Result<void> write_files(const SurfaceOptions& options,
+                               const std::optional<protocol::LinesWanted>& lines,
+                               const core::SurfacePlan& plan,
+                               const std::vector<double>& times,
+                               const LoadedDataset& dataset,
+                               const core::WorkPart& work,
+                               const std::stop_token& stop) {
+    core::SteadyClock clock;
+    auto evolution = core::Evolution::start(plan, clock, stop, work);
+    if (!evolution)
+        return tl::unexpected(evolution.error());
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const auto state = evolution->at(times[k], stop, work);
+        if (!state)
+            return tl::unexpected(state.error());
+        const core::QuadComplex& mesh = state->mesh.mesh;
+        const auto scalars = surface_scalars(dataset, mesh, state->times, options.fields, stop);
+        if (!scalars)
+            return tl::unexpected(scalars.error());
+        const protocol::MeshMetadata metadata{.rake = plan.rake,
+                                              .parameters = plan.parameters,
+                                              .separation = state->statistics.separation,
+                                              .dataset = dataset.info.dataset,
+                                              .version = WAKESURF_VERSION,
+                                              .time = times[k],
+                                              .stopped = state->statistics.stopped};
+        const auto name = name_in(options.output, k);
+        auto written =
+            file_of(name, lines, mesh, metadata, *scalars, options.draco)
+                .and_then([&](const std::string& bytes) { return write_whole_file(name, bytes); });
+        if (!written)
+            return written;
+        if (k + 1 == times.size())
+            if (auto shown = tell_statistics(state->statistics, false); !shown)
+                return shown;
+    }
+    tell("{} to {}: {} files\n", name_in(options.output, 0).string(),
+         name_in(options.output, times.size() - 1).string(), times.size());
+    return {};
+}
+
+/// Returns the plan of the surface until that time. Level sets keep theirs: they have no age.
+core::Result<core::SurfacePlan> until(core::SurfacePlan plan, double last) {
+    core::SurfaceParameters p = plan.parameters;
+    if (p.kind == core::SurfaceKind::Level || last == p.to || last == p.from)
+        return plan;
+    p.to = last;
+    if (p.release_until && !core::between(*p.release_until, p.from, last))
+        p.release_until.reset();
+    return core::plan_surface(plan.flow, plan.rake, std::move(p));
+}
+
+} // namespace
+
+core::Result<void> write_series(const SurfaceOptions& options,
+                                const Series& series,
+                                const std::optional<protocol::LinesWanted>& lines,
+                                core::SurfacePlan plan,
+                                const LoadedDataset& dataset,
+                                const core::MemoryAccount& account,
+                                const std::stop_token& stop) {
+    const auto times = times_of(series, plan.parameters);
+    if (!times)
+        return tl::unexpected(times.error());
+    auto shown = until(std::move(plan), times->back());
+    if (!shown)
+        return tl::unexpected(shown.error());
+    core::WorkDone done;
+    const ElapsedLine progress(fmt::format("building a {} surface of {} at {} times",
+                                           protocol::name(shown->parameters.kind),
+                                           dataset.info.name, times->size()),
+                               &done, times->back());
+    core::WorkMemory memory(
+        account, stop, std::chrono::seconds(1),
+        fmt::format("a surface of at most {} quads", shown->parameters.max_quads));
+    const int used = options.threads > 0 ? options.threads
+                                         : static_cast<int>(std::thread::hardware_concurrency());
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                                    static_cast<std::size_t>(used));
+    tbb::task_arena arena(used);
+    const core::WorkPart work{&done, &memory};
+    return arena.execute([&]() -> core::Result<void> {
+        return series.animation
+                   ? write_animation(options, *shown, *times, dataset, account, work, stop)
+                   : write_files(options, lines, *shown, *times, dataset, work, stop);
+    });
+}
+
+} // namespace wakesurf::server
