@@ -71,7 +71,7 @@ TEST(SurfaceParameters, HaveTheDefaultsThatAreDescribed) {
             EXPECT_EQ(left_out.at(name), each["schema"]["default"]) << name;
             ++compared;
         }
-    EXPECT_EQ(compared, 8u);
+    EXPECT_EQ(compared, 9u);
 }
 
 TEST(SurfaceParameters, TheRecordSaysAllThatWasAskedForAndNothingElse) {
