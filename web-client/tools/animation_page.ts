@@ -45,7 +45,7 @@ export function animationPage({ resolve, plugins }: Pick<UserConfig, 'resolve' |
                 style,
             };
             const page = readFileSync(`${folder}animation.html`, 'utf8').replace(
-                /\{\{(\w+)\}\}/g,
+                /\s*\{\{(\w+)\}\}\s*/g, // space round a script would change its hash
                 (_, name: string) => parts[name]!,
             );
             this.emitFile({ type: 'asset', fileName: 'animation.html', source: page });
