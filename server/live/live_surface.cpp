@@ -353,8 +353,8 @@ double LiveSurface::finest() const {
 }
 
 void LiveSurface::publish(const SurfacePass& pass, Update update) {
-    if (pass.intervals)
-        ; // tells nothing about the next state
+    if (pass.intervals) // the picture took as long as before
+        update.took = ring_->newest()->took;
     else if (stage_ == SurfaceStage::Full)
         budgets_.moved_on(update.seconds);
     else

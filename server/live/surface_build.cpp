@@ -340,6 +340,8 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
 core::Result<Update> SurfaceBuild::state_intervals(const SurfacePass& pass,
                                                    const std::stop_token& stop,
                                                    const Work& work) {
+    if (!unstated_) // a build before this one made the state that is shown
+        return core::fail(core::Error::Code::NotFound, "the state to estimate has been released");
     core::Surface surface{std::move(unstated_->mesh.mesh), unstated_->statistics, unstated_->ended};
     const auto stated = core::state_interval_errors(job_.plan, surface, stop, work);
     unstated_->mesh.mesh = std::move(surface.mesh);

@@ -46,6 +46,7 @@ constexpr std::array moving{core::SurfaceKind::Path, core::SurfaceKind::Streak};
 class StatedIntervals : public LiveSurfaceTest {};
 
 TEST_F(StatedIntervals, FollowTheFinalStateWithoutChangingIt) {
+    wall.each = std::chrono::milliseconds(10);
     for (const core::SurfaceKind kind : moving) {
         done.clear();
         surface->rebuild(stored_job(kind));
@@ -61,6 +62,8 @@ TEST_F(StatedIntervals, FollowTheFinalStateWithoutChangingIt) {
         EXPECT_GT(done[1].statistics.interval_error->error99, 1e-4);
         EXPECT_EQ(done[1].statistics.interval_left_out, "");
         EXPECT_EQ(done[0].state_sum, done[1].state_sum);
+        EXPECT_GT(done[0].took->compute, 0.0);
+        EXPECT_EQ(done[0].took->compute, done[1].took->compute) << "what the picture took";
         EXPECT_EQ(done[0].statistics.vertices, done[1].statistics.vertices);
     }
 }
@@ -115,6 +118,15 @@ TEST_F(StatedIntervals, AreThoseOfTheTimeThatIsShown) {
     EXPECT_NE(whole->error99, later->error99);
     EXPECT_EQ(surface->outcome().statistics.interval_left_out,
               "the surface uses 3 stored times, and at least 5 are needed");
+}
+
+TEST_F(StatedIntervals, OfAStateThatIsNotThereAreRefused) {
+    SurfaceBuild build(stored_job(core::SurfaceKind::Streak), wall);
+    SurfacePass pass;
+    pass.intervals = true;
+    const auto update = build.run(pass, {});
+    ASSERT_FALSE(update);
+    EXPECT_EQ(update.error().code, core::Error::Code::NotFound);
 }
 
 TEST_F(StatedIntervals, AreLeftOutWithTheReasonWhereThereAreNone) {
