@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace wakesurf::core {
 
@@ -41,6 +42,24 @@ struct StatedIntervalError {
     double error99 = 0.0;
     /// The share of the traced vertices for which the stored times are too far apart to say more.
     double unresolved = 0.0;
+};
+
+/// How far a surface is from its twin. Distances are between particles of the same seed and release, in units of length.
+struct TwinDistance {
+    double age = 0.0;      ///< of the oldest particle counted
+    double compared = 0.0; ///< share of the particles that arrive in both
+    double p50 = 0.0;      ///< half of these are no farther apart
+    double p90 = 0.0;
+    double p99 = 0.0;
+    /// The median of the times by which the twin's particle comes later along the flow; negative: earlier.
+    double lag50 = 0.0;
+};
+
+/// A surface beside its twin: all of it, and by age.
+struct StatedTwin {
+    TwinDistance all;
+    std::vector<TwinDistance>
+        ages; ///< in parts of equal length of the oldest age; those with particles
 };
 
 /// Counts and times of a surface, for programs and people.
@@ -95,6 +114,8 @@ struct SurfaceStatistics {
     /// The stored interval at which 99 % of the vertices would be within the separation; nothing where that
     /// cannot be said.
     std::optional<double> advised_interval{};
+    std::optional<StatedTwin> twin{}; ///< nothing: not compared, for the reason in twin_left_out
+    std::string twin_left_out{};      ///< why there is no twin; empty: nobody asked for it
     std::string interval_left_out{}; ///< why there is no interval_error; empty: nobody asked for it
     /// The time at which the data begin, if that cuts the backward side of a path surface of both directions
     /// short.

@@ -56,12 +56,14 @@ def surface(program: str, data: Path, out: Path, *options: str) -> Mesh:
 
 
 def alone(case: Path, time: str) -> Path:
-    """Returns a case of one time: scalars that are not at every time are not read."""
+    """Returns a case of one time: scalars that are not at every time are not read. It needs a velocity, which may be of another time."""
     moment = case / f"moment-{time}"
-    moment.mkdir(exist_ok=True)
-    for name in ("constant", "system", time):
-        if not (moment / name).exists():
-            (moment / name).symlink_to(case.resolve() / name)
+    (moment / time).mkdir(parents=True, exist_ok=True)
+    nearest = min(case.glob("[0-9]*/U"), key=lambda file: abs(float(file.parent.name) - float(time)))
+    for file in (case / "constant", case / "system", *(case / time).iterdir(), nearest):
+        link = moment / (file.relative_to(case) if file != nearest else Path(time, "U"))
+        if not link.exists():
+            link.symlink_to(file.resolve())
     (moment / "case.foam").touch()
     return moment / "case.foam"
 
@@ -77,9 +79,12 @@ def compare(program: str, case: Path, name: str) -> None:
     about = json.loads((HERE / "cases" / name / "case.json").read_text())
     start, rake = about["spinUp"], about["dye"]["rake"]
     series = case / "series"
+    last = max(float(file.parent.name) for file in case.glob("[0-9]*/U"))
     run(program, "import", str(case / "case.foam"), str(series), "--times", f"{start}:{start + about['window']}")
     for part in (0.5, 1.0):
         time = f"{start + part * about['window']:g}"
+        if not (case / time / "dyeAbove").exists():
+            continue
         run("postProcess", "-func", "writeCellVolumes", "-time", time, "-case", str(case))
         moment = alone(case, time)
         front = surface(program, moment, case / f"front-{time}.vtp", "--kind", "level", "--field", "dyeAbove", "--level", "0.5",
@@ -90,7 +95,7 @@ def compare(program: str, case: Path, name: str) -> None:
         corners, width = front.points[triangles], np.cbrt(front["V"][triangles].mean(axis=1))
         streak = surface(program, series, case / f"streak-{time}.vtp", "--kind", "streak", "--rake", rake,
                          "--rake-kind", about["dye"].get("rakeKind", "line"), "--seeds", "65", "--accuracy", "exact",
-                         "--separation", str(np.percentile(width, 5)), "--from", str(start), "--to", time)
+                         "--separation", str(np.percentile(width, 5)), "--from", str(start), "--to", f"{min(float(time), last):g}")
         sheet = streak.triangles()
         to_sheet, _ = distances(corners.mean(axis=1), of_triangles(streak.points, sheet))
         to_front, nearest = distances(streak.points[sheet].mean(axis=1), of_triangles(front.points, triangles))

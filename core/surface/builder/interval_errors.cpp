@@ -1,7 +1,6 @@
 #include "core/surface/builder/interval_errors.hpp"
 
-#include "core/surface/moving/moving_plan.hpp"
-#include "core/surface/request/sheet_options.hpp"
+#include "core/surface/builder/trace_vertices.hpp"
 #include "core/surface/time_direction.hpp"
 
 #include <algorithm>
@@ -23,9 +22,6 @@ constexpr double difference = 0.7;
 /// A part of the separation: what is nearer than that is resolved, whatever the ratio.
 constexpr double negligible = 1e-4;
 constexpr int rings = 2; ///< of cells round a vertex
-/// Lines of a path surface that are traced at a time: their steps are held.
-constexpr std::size_t lines_at_once = 256;
-
 /// What tracing takes, in bytes a vertex: places through five series, and numbers round each vertex.
 constexpr std::size_t traced_vertex_bytes = 260;
 
@@ -76,121 +72,6 @@ class SquaredIntervals {
     std::vector<double> until_{0.0};
 };
 
-/// Returns when a vertex's particle begins and ends.
-std::pair<double, double> ends_of(const SurfacePlan& plan, const Surface& surface, VertexId v) {
-    const SurfaceParameters& p = plan.parameters;
-    const double t = surface.mesh.t[v], until = surface.ended.value_or(p.to);
-    return p.kind == SurfaceKind::Streak ? std::pair(t, until)
-           : p.kind == SurfaceKind::Path ? std::pair(p.from, p.from + t)
-                                         : std::pair(p.from, until);
-}
-
-/// Where the particles of vertices come to through another series than the surface's own.
-class Twin {
-  public:
-    Twin(const SurfacePlan& plan, const Surface& surface, const WorkPart& work)
-        : plan_(plan), surface_(surface), work_(work) {}
-
-    /// Returns a place for each of the vertices; not a number where the particle does not arrive.
-    Result<std::vector<Vec3>> places(const Flow& flow,
-                                     std::span<const VertexId> vertices,
-                                     double speed,
-                                     const std::stop_token& stop) const {
-        return plan_.parameters.kind == SurfaceKind::Path ? on_lines(flow, vertices, speed, stop)
-                                                          : moved(flow, vertices, speed, stop);
-    }
-
-  private:
-    Result<std::vector<Vec3>> moved(const Flow& flow,
-                                    std::span<const VertexId> vertices,
-                                    double speed,
-                                    const std::stop_token& stop) const {
-        const MovingRequest request(plan_, speed);
-        const QuadComplex& mesh = surface_.mesh;
-        std::vector<Vec3> place;
-        std::vector<double> time;
-        std::vector<CurveEnd> end;
-        for (const VertexId v : vertices) {
-            place.push_back(request.origin.position(mesh.s[v], mesh.t[v]));
-            time.push_back(request.origin.release(mesh.t[v]));
-            end.push_back(flow.status(place.back()) == PointStatus::Inside ? CurveEnd::Running
-                                                                           : CurveEnd::Obstacle);
-        }
-        AdvanceOptions carry = make_plan(request, surface_.statistics.separation).carry;
-        carry.step = speed > 0.0 ? flow.finest_spacing() / speed : time_span(plan_.parameters);
-        const double until = surface_.ended.value_or(plan_.parameters.to);
-        if (auto done = flow.advance({place, {}, {}, time, end}, until, carry, stop); !done)
-            return tl::unexpected(done.error());
-        for (std::size_t i = 0; i < place.size(); ++i)
-            if (end[i] != CurveEnd::Running)
-                place[i] = Vec3(nowhere);
-        return place;
-    }
-
-    Result<std::vector<Vec3>> on_lines(const Flow& flow,
-                                       std::span<const VertexId> vertices,
-                                       double speed,
-                                       const std::stop_token& stop) const {
-        const QuadComplex& mesh = surface_.mesh;
-        std::vector<std::size_t> order(vertices.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        const auto line = [&](std::size_t i) {
-            const VertexId v = vertices[i];
-            return std::pair(mesh.t[v] < 0.0, mesh.s[v]);
-        };
-        std::ranges::stable_sort(order, {}, line);
-        std::vector<Vec3> place(vertices.size(), Vec3(nowhere));
-        TraceOptions options = plan_.sheets(surface_.statistics.separation, speed).front().trace;
-        options.stretch = false;
-        options.expansion = false;
-        options.memory = work_.memory();
-        for (std::size_t begin = 0; begin < order.size();) {
-            const std::size_t before = work_.memory() != nullptr ? work_.memory()->bytes() : 0;
-            std::vector<Curve> curves;
-            std::vector<std::size_t> begins;
-            std::size_t end = begin;
-            const bool upstream =
-                line(order[begin]).first; // the same for all that are traced at a time
-            while (end < order.size() && curves.size() < lines_at_once &&
-                   line(order[end]).first == upstream) {
-                const auto [back, s] = line(order[end]);
-                Curve curve;
-                curve.seed = plan_.seeding.at(s);
-                curve.release = plan_.parameters.from;
-                begins.push_back(end);
-                for (; end < order.size() && line(order[end]) == std::pair(back, s); ++end) {
-                    const double age = mesh.t[vertices[order[end]]];
-                    if (std::abs(age) > std::abs(curve.duration))
-                        curve.duration = age;
-                }
-                if (curve.duration == 0.0)
-                    curve.end = CurveEnd::Time;
-                curves.push_back(std::move(curve));
-            }
-            begins.push_back(end);
-            if (auto done = flow.trace(curves, options, stop); !done)
-                return tl::unexpected(done.error());
-            for (std::size_t k = 0; k < curves.size(); ++k)
-                for (std::size_t i = begins[k]; i < begins[k + 1]; ++i) {
-                    const double age = mesh.t[vertices[order[i]]];
-                    if (age == 0.0)
-                        place[order[i]] = curves[k].seed;
-                    else if (std::abs(age) <= std::abs(curves[k].last.time) * (1.0 + 1e-12))
-                        place[order[i]] = curves[k].at_time(age).position;
-                }
-            begin = end;
-            curves = {};
-            if (work_.memory() != nullptr)
-                work_.memory()->shrink(work_.memory()->bytes() - before);
-        }
-        return place;
-    }
-
-    const SurfacePlan& plan_;
-    const Surface& surface_;
-    const WorkPart& work_;
-};
-
 /// The largest of the numbers round each vertex: a distance is small by chance where its direction turns. Not a
 /// number where one of them is none.
 std::vector<double> largest_around(const QuadComplex& mesh, const std::vector<double>& of) {
@@ -212,31 +93,6 @@ std::vector<double> largest_around(const QuadComplex& mesh, const std::vector<do
         }
     }
     return largest;
-}
-
-/// Gives vertices that are not traced the errors of their neighbours; none where most of these have none.
-void fill_between(QuadComplex& mesh) {
-    for (int ring = 0; ring < rings; ++ring) {
-        std::vector<float> sum(mesh.vertices(), 0.0F);
-        std::vector<int> with(mesh.vertices(), 0), without(with);
-        for (const Cell& cell : mesh.cells) {
-            const CellPolygon outline = polygon(cell);
-            for (std::uint32_t i = 0; i < outline.count; ++i) {
-                const VertexId v = outline.vertex[i],
-                               next = outline.vertex[(i + 1) % outline.count];
-                for (const auto& [to, from] : {std::pair(v, next), std::pair(next, v)}) {
-                    const bool none = std::isnan(mesh.interval_error[from]);
-                    sum[to] += none ? 0.0F : mesh.interval_error[from];
-                    with[to] += none ? 0 : 1;
-                    without[to] += none && mesh.approximated[from] == 0 ? 1 : 0;
-                }
-            }
-        }
-        for (VertexId v = 0; v < mesh.vertices(); ++v)
-            if (mesh.approximated[v] != 0 && std::isnan(mesh.interval_error[v]) &&
-                with[v] > without[v])
-                mesh.interval_error[v] = sum[v] / static_cast<float>(with[v]);
-    }
 }
 
 } // namespace
@@ -263,10 +119,7 @@ Result<void> state_interval_errors(const SurfacePlan& plan,
     SurfaceStatistics& statistics = surface.statistics;
     QuadComplex& mesh = surface.mesh;
     statistics.interval_left_out = no_interval_errors(plan, surface.ended);
-    std::vector<VertexId> traced;
-    for (VertexId v = 0; v < mesh.vertices(); ++v)
-        if (mesh.approximated[v] == 0)
-            traced.push_back(v);
+    const std::vector<VertexId> traced = traced_vertices(mesh);
     if (statistics.interval_left_out.empty() && traced.empty())
         statistics.interval_left_out = "the surface has no vertices that are traced";
     if (!statistics.interval_left_out.empty())
@@ -278,7 +131,6 @@ Result<void> state_interval_errors(const SurfacePlan& plan,
         return tl::unexpected(speed.error());
     const std::vector<double> times = stored_times(*plan.flow, plan.parameters, surface.ended);
     const SquaredIntervals every(times);
-    const Twin twin(plan, surface, work);
 
     /// Where particles come to through every `stride`-th stored time from the one that is `begin`, and how much
     /// larger that makes the error.
@@ -292,13 +144,16 @@ Result<void> state_interval_errors(const SurfacePlan& plan,
         const SquaredIntervals left(stored_times(*thin, plan.parameters, surface.ended));
         std::vector<double> larger;
         for (const VertexId v : traced) {
-            const auto [from, to] = ends_of(plan, surface, v);
+            const auto [from, to] = life_of(v, plan, surface);
             const double all = every.between(from, to);
             larger.push_back(all > 0.0 ? left.between(from, to) / all : 1.0);
         }
-        return twin.places(*thin, traced, *speed, stop).map([&](std::vector<Vec3>&& place) {
-            return Through{std::move(place), std::move(larger)};
-        });
+        SurfacePlan through = plan;
+        through.flow = thin;
+        return trace_vertices(through, surface, traced, *speed, stop, work)
+            .map([&](std::vector<Vec3>&& place) {
+                return Through{std::move(place), std::move(larger)};
+            });
     };
     std::vector<Through> series;
     for (const std::size_t stride : {std::size_t{2}, std::size_t{3}})
@@ -340,7 +195,7 @@ Result<void> state_interval_errors(const SurfacePlan& plan,
         resolved.push_back(error[v]);
         mesh.interval_error[v] = static_cast<float>(error[v]);
     }
-    fill_between(mesh);
+    fill_between(mesh, mesh.interval_error);
     if (resolved.empty()) {
         statistics.interval_left_out = "the stored times are too far apart for this surface";
         return {};

@@ -208,7 +208,7 @@ constexpr double spacing_of_separation =
     0.75; // square cells on average: fronts are between 1/2 and 1 separation
 constexpr double tear_width = 1.0 / 16.0; // of the separation
 constexpr double least_interval = 1e-6;   // of the rake
-constexpr int most_rounds = 128;
+constexpr int most_sheet_rounds = 128;
 constexpr double bend_width =
     1.0 / 8.0; // of the separation: no strip becomes narrower because the sheet bends
 constexpr int most_bend_rounds = 32;
@@ -387,7 +387,7 @@ Result<bool> Sheet::build(const std::set<double>& seeds,
                 return tl::unexpected(held.error());
             work.has(*quads);
             for (const std::size_t i : dirty)
-                if (round >= most_rounds)
+                if (round >= most_sheet_rounds)
                     strips_[i].tear_rest();
                 else
                     demands.push_back({i, strips_[i].refine(limits_)});

@@ -15,7 +15,7 @@ constexpr std::uint32_t no_triangle_beyond = 0xffffffffu;
 /// its triangles.
 constexpr double flat_enough = 0.95;
 /// Sine of the sharpest turn at a quad's corner, so that it is convex whichever diagonal it is drawn with.
-constexpr double least_turn = 0.05;
+constexpr double least_turn_of_pair = 0.05;
 constexpr std::size_t grades = 1024; ///< of quads, as good as each other within one
 
 /// Returns the numbers below `size` in the order of their keys, those of one key in ascending order.
@@ -121,7 +121,7 @@ class TrianglePairing {
         std::vector<std::uint16_t> worse;
         for (std::uint32_t side = 0; side < beyond_.size(); ++side)
             if (beyond_[side] != no_triangle_beyond && side < beyond_[side])
-                if (const double how = quality(quad_over(side)); how > least_turn) {
+                if (const double how = quality(quad_over(side)); how > least_turn_of_pair) {
                     sides.push_back(side);
                     worse.push_back(
                         static_cast<std::uint16_t>((1.0 - std::min(how, 1.0)) * (grades - 1)));

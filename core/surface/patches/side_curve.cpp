@@ -53,7 +53,7 @@ std::size_t SideTable::number(VertexId a, VertexId b) const {
 
 namespace {
 
-constexpr double largest_bulge = 0.25; ///< of the chord
+constexpr double largest_side_bulge = 0.25; ///< of the chord
 constexpr double steepest = 0.6;       ///< sine of the angle between a chord and the tangent plane
 constexpr double least_cosine = 0.25;  ///< of the angle between the tangent planes at both ends
 constexpr double least_angle = 1e-7;   ///< sine of that between tangents that span a plane
@@ -62,7 +62,7 @@ constexpr double crease_width = 1e-12; ///< of s
 /// The curve may follow these slopes.
 bool tame(const Vec3& chord, const Vec3& at_a, const Vec3& at_b) {
     const double length = glm::length(chord);
-    return glm::length(at_a - at_b) <= 8.0 * largest_bulge * length &&
+    return glm::length(at_a - at_b) <= 8.0 * largest_side_bulge * length &&
            glm::length(at_a - chord) <= length && glm::length(at_b - chord) <= length;
 }
 
