@@ -71,4 +71,14 @@ struct SurfaceParameters {
     bool operator==(const SurfaceParameters&) const = default;
 };
 
+/// What the twin of a surface (surface/builder/twin.hpp) has otherwise; what is left open is the same.
+struct TwinSettings {
+    std::optional<Accuracy> accuracy{};
+    std::optional<Interpolation> interpolation{};
+    std::optional<Between> between{};
+    std::optional<Vec3> offset{}; ///< by which the rakes are moved
+
+    bool operator==(const TwinSettings&) const = default;
+};
+
 } // namespace wakesurf::core

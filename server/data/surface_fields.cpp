@@ -36,6 +36,10 @@ std::optional<SurfaceField> lookup(const OpenDataset& dataset, const std::string
         return SurfaceField{name, Source::Error};
     if (name == core::interval_error_name && has_interval_errors(dataset.info))
         return SurfaceField{name, Source::IntervalError};
+    if (name == core::twin_distance_name)
+        return SurfaceField{name, Source::TwinDistance};
+    if (name == core::twin_lag_name)
+        return SurfaceField{name, Source::TwinLag};
     if (core::find_gradient_field(name))
         return SurfaceField{name, Source::Gradient};
     return std::nullopt;
@@ -60,8 +64,12 @@ std::vector<float> speeds_of(const core::QuadComplex& mesh) {
 } // namespace
 
 std::vector<std::string> field_names(const OpenDataset& dataset) {
-    return vertex_field_names(
+    auto names = vertex_field_names(
         dataset.scalars ? dataset.scalars->names() : std::vector<std::string>(), dataset.info);
+    for (const std::string_view name : {core::twin_distance_name, core::twin_lag_name})
+        if (std::ranges::find(names, name) == names.end())
+            names.emplace_back(name);
+    return names;
 }
 
 core::Result<SurfaceField> find_field(const OpenDataset& dataset, const std::string& name) {
@@ -134,6 +142,8 @@ core::Result<protocol::MeshFields> sample_fields(std::span<const SurfaceField> f
         } else if (field.source == Source::IntervalError) {
             out.push_back(
                 values_of(mesh.interval_error, mesh, std::numeric_limits<float>::quiet_NaN()));
+        } else if (field.source == Source::TwinDistance || field.source == Source::TwinLag) {
+            out.push_back(values_of<float>({}, mesh, std::numeric_limits<float>::quiet_NaN()));
         } else if (field.source == Source::Gradient) {
             out.push_back(std::move((*gradients)[next++]));
         } else {

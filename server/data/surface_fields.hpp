@@ -30,6 +30,8 @@ struct SurfaceField {
         Approximated,
         Error,
         IntervalError,
+        TwinDistance,
+        TwinLag,
         Gradient
     };
 

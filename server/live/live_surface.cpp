@@ -111,7 +111,7 @@ void LiveSurface::fall_back() {
     if (stage_ < SurfaceStage::Begun)
         return;
     fallen_ = {outcome(), time_};
-    fallen_->outcome.interval_pending = false;
+    fallen_->outcome.checks_pending = false;
     stop_jobs();
     begin_build();
     stage_ = SurfaceStage::Resting;
@@ -221,7 +221,7 @@ bool LiveSurface::running() const {
 
 bool LiveSurface::computing() const {
     return running() && !std::ranges::any_of(running_, [this](const auto& each) {
-               return each && each->epoch == epoch_ && each->pass.intervals;
+               return each && each->epoch == epoch_ && each->pass.checking;
            });
 }
 
@@ -257,17 +257,17 @@ std::optional<SurfacePass> LiveSurface::next_pass() const {
 
 /// Returns the pass that estimates the error between stored times of what is shown; empty where it is done or
 /// another state is to come.
-std::optional<SurfacePass> LiveSurface::interval_pass() const {
+std::optional<SurfacePass> LiveSurface::checking_pass() const {
     const SharedUpdate newest = ring_->newest();
-    if (stage_ != SurfaceStage::Full || !build_ || !newest || !newest->intervals_due || next_pass())
+    if (stage_ != SurfaceStage::Full || !build_ || !newest || !newest->checks_due || next_pass())
         return std::nullopt;
     SurfacePass pass = *shown_;
-    pass.intervals = true;
+    pass.checking = true;
     return pass;
 }
 
 PriorityClass LiveSurface::priority_of(const SurfacePass& pass) const {
-    if (pass.intervals)
+    if (pass.checking)
         return PriorityClass::Long;
     return stage_ == SurfaceStage::Full ? budgets_.priority_of_moving_on()
                                         : budgets_.priority(pass.phase);
@@ -284,7 +284,7 @@ void LiveSurface::advance() {
         return;
     }
     if (!pass)
-        pass = interval_pass();
+        pass = checking_pass();
     if (!pass)
         return;
     const PriorityClass at = priority_of(*pass);
@@ -299,11 +299,11 @@ void LiveSurface::start(PriorityClass priority, const SurfacePass& pass) {
     Running& running = running_[index(priority)].emplace(
         Running{epoch_, pass, std::stop_source(), services_.clock.now(), pass_wanted_,
                 std::make_shared<core::WorkDone>(), build_});
-    if (!pass.intervals)
+    if (!pass.checking)
         progress_.start(pass.phase, running.work, running.since);
     services_.pool.run(
         // Under a name of its own it delays no picture of the session.
-        pass.intervals ? session_ + "\nintervals" : session_, priority,
+        pass.checking ? session_ + "\nchecks" : session_, priority,
         [build = build_, pass, priority, stop = running.stop.get_token(), weak = weak_from_this(),
          services = services_, first = stage_ != SurfaceStage::Full, queued = running.since,
          wanted = running.wanted, work = running.work, wanted_job = wanted_] {
@@ -326,11 +326,11 @@ void LiveSurface::start(PriorityClass priority, const SurfacePass& pass) {
 void LiveSurface::finished(PriorityClass priority, core::Result<Update> result, double seconds) {
     const Running job = *std::exchange(running_[index(priority)], std::nullopt);
     const bool of_now = job.epoch == epoch_ && job.build.lock() == build_ && build_;
-    if (of_now && !job.pass.intervals) {
+    if (of_now && !job.pass.checking) {
         pass_wanted_ = services_.clock.now();
         progress_.end();
     }
-    if (job.pass.intervals) {
+    if (job.pass.checking) {
         if (of_now && stage_ == SurfaceStage::Full && result)
             publish(job.pass, std::move(*result));
         else if (of_now && !result && result.error().code != core::Error::Code::Cancelled)
@@ -353,7 +353,7 @@ double LiveSurface::finest() const {
 }
 
 void LiveSurface::publish(const SurfacePass& pass, Update update) {
-    if (pass.intervals) // the picture took as long as before
+    if (pass.checking) // the picture took as long as before
         update.took = ring_->newest()->took;
     else if (stage_ == SurfaceStage::Full)
         budgets_.moved_on(update.seconds);
@@ -380,9 +380,9 @@ void LiveSurface::publish(const SurfacePass& pass, Update update) {
         return;
     }
     const bool more = next_pass().has_value();
-    if (!more && !interval_pass() && !core::moves(wanted_.plan.parameters))
+    if (!more && !checking_pass() && !core::moves(wanted_.plan.parameters))
         release_build(); // nothing will continue it
-    if ((pass.phase != Phase::Final || !more) && !pass.intervals)
+    if ((pass.phase != Phase::Final || !more) && !pass.checking)
         events_.progress({id_, epoch_, pass.phase, ring_->newest()->took});
     if (!more)
         conclude();
@@ -426,7 +426,7 @@ SurfaceOutcome LiveSurface::outcome() const {
     if (const SharedUpdate state = ring_->newest()) {
         const bool playing = shown_->phase == Phase::Live && playing_;
         out.complete = stage_ == SurfaceStage::Full && (playing || !next_pass());
-        out.interval_pending = out.complete && interval_pass() && !unseen();
+        out.checks_pending = out.complete && checking_pass() && !unseen();
         out.state_sum = state->wire.state_sum;
         out.statistics = state->statistics;
         out.statistics.requested_separation = finest(); // an early pass has a lower request

@@ -177,7 +177,7 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     bool unseen() const;    ///< hidden by all
     void advance();
     std::optional<SurfacePass> next_pass() const;
-    std::optional<SurfacePass> interval_pass() const;
+    std::optional<SurfacePass> checking_pass() const;
     PriorityClass priority_of(const SurfacePass& pass) const;
     void start(PriorityClass priority, const SurfacePass& pass);
     void finished(PriorityClass priority, core::Result<Update> result, double seconds);

@@ -2,6 +2,7 @@
 
 #include "core/surface/builder/interval_errors.hpp"
 #include "core/surface/builder/surface_builder.hpp"
+#include "core/surface/builder/twin.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/surface_at.hpp"
 #include "core/surface/surface.hpp"
@@ -95,18 +96,12 @@ SurfaceBuild::run_counted(const SurfacePass& pass, const std::stop_token& stop, 
     const auto start = clock_.now();
     if (stop.stop_requested())
         return cancelled();
-    if (pass.intervals)
-        return state_intervals(pass, stop, work);
+    if (pass.checking)
+        return check_state(pass, stop, work);
     auto shown = build(pass, stop, work);
     if (!shown)
         return tl::unexpected(shown.error());
-    std::string& left_out = shown->statistics.interval_left_out;
-    if (pass.phase == Phase::Final)
-        left_out = core::no_interval_errors(job_.plan, shown->ended);
-    const bool due =
-        pass.phase == Phase::Final && left_out.empty() && shown->mesh.mesh.vertices() > 0;
-    if (due)
-        left_out = "it is not estimated yet";
+    const bool due = announce_checks(*shown, pass);
     if (stop.stop_requested())
         return cancelled();
     const std::size_t vertices = shown->mesh.mesh.vertices();
@@ -118,7 +113,7 @@ SurfaceBuild::run_counted(const SurfacePass& pass, const std::stop_token& stop, 
     const double load = shown->load;
     auto update = encode(*shown, pass);
     if (update) {
-        update->intervals_due = due;
+        update->checks_due = due;
         unstated_ = due ? std::optional(std::move(*shown)) : std::nullopt;
         const auto end = clock_.now();
         update->seconds = std::chrono::duration<double>(end - start).count();
@@ -335,25 +330,51 @@ core::Result<SurfaceBuild::Shown> SurfaceBuild::play_within(std::size_t bytes,
                  shown->time};
 }
 
-/// The update carries the errors in the field that is for them, and else what they come to. If they cannot be
-/// estimated, it says why.
-core::Result<Update> SurfaceBuild::state_intervals(const SurfacePass& pass,
-                                                   const std::stop_token& stop,
-                                                   const Work& work) {
+/// Says in the statistics what is to come, or why it is not; returns whether anything is.
+bool SurfaceBuild::announce_checks(Shown& shown, const SurfacePass& pass) const {
+    if (pass.phase != Phase::Final)
+        return false;
+    const bool any = shown.mesh.mesh.vertices() > 0;
+    std::string& left_out = shown.statistics.interval_left_out;
+    left_out = core::no_interval_errors(job_.plan, shown.ended);
+    const bool estimate = left_out.empty() && any;
+    if (estimate)
+        left_out = "it is not estimated yet";
+    shown.statistics.twin_left_out = job_.twin ? "it is not compared yet" : job_.twin_left_out;
+    return any && (estimate || job_.twin);
+}
+
+/// The update carries the errors and the twin in the fields that are for them, and else what they come to. What
+/// cannot be had says why.
+core::Result<Update>
+SurfaceBuild::check_state(const SurfacePass& pass, const std::stop_token& stop, const Work& work) {
     if (!unstated_) // a build before this one made the state that is shown
         return core::fail(core::Error::Code::NotFound, "the state to estimate has been released");
     core::Surface surface{std::move(unstated_->mesh.mesh), unstated_->statistics, unstated_->ended};
     const auto stated = core::state_interval_errors(job_.plan, surface, stop, work);
+    std::optional<core::Result<core::TwinComparison>> twin;
+    if (job_.twin)
+        twin = core::compare_twin(job_.plan, surface, *job_.twin, stop, work);
     unstated_->mesh.mesh = std::move(surface.mesh);
     if (stop.stop_requested())
         return cancelled();
     if (!stated)
         surface.statistics.interval_left_out = stated.error().message;
+    surface.statistics.twin_left_out = twin && !*twin ? twin->error().message : job_.twin_left_out;
+    if (twin && *twin)
+        surface.statistics.twin = (*twin)->stated;
     Shown shown = *std::exchange(unstated_, std::nullopt);
     shown.statistics = std::move(surface.statistics);
-    for (std::size_t i = 0; i < job_.fields.size(); ++i)
-        if (job_.fields[i].source == SurfaceField::Source::IntervalError && stated)
+    using Field = SurfaceField::Source;
+    for (std::size_t i = 0; i < job_.fields.size(); ++i) {
+        const auto source = job_.fields[i].source;
+        if (source == Field::IntervalError && !shown.mesh.mesh.interval_error.empty())
             shown.fields[i] = shown.mesh.mesh.interval_error;
+        if (source == Field::TwinDistance && twin && *twin)
+            shown.fields[i] = (*twin)->distance;
+        if (source == Field::TwinLag && twin && *twin)
+            shown.fields[i] = (*twin)->lag;
+    }
     return encode(shown, pass);
 }
 

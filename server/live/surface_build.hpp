@@ -92,7 +92,8 @@ class SurfaceBuild {
     core::Result<Shown>
     play_within(std::size_t bytes, double age, const std::stop_token& stop, const Work& work);
     core::Result<Update>
-    state_intervals(const SurfacePass& pass, const std::stop_token& stop, const Work& work);
+    check_state(const SurfacePass& pass, const std::stop_token& stop, const Work& work);
+    bool announce_checks(Shown& shown, const SurfacePass& pass) const;
     std::size_t shrink_history(std::size_t bytes);
     core::Result<Update> encode(Shown& shown, const SurfacePass& pass);
 

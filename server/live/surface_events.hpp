@@ -48,7 +48,7 @@ struct SurfaceOutcome {
     std::uint32_t epoch = 0;
     bool complete = false;
     /// The error between stored times is being estimated: the outcome comes once more.
-    bool interval_pending = false;
+    bool checks_pending = false;
     std::uint32_t state_sum = 0;
     core::SurfaceStatistics statistics; ///< of the newest state; all zero before the first
     std::optional<PassSeconds> took;    ///< making the newest state

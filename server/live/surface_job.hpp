@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace wakesurf::server {
@@ -21,8 +22,9 @@ struct SurfacePass {
     std::uint64_t quads = 0;    ///< the budget of a coarse or refined pass
     std::optional<double> time; ///< of the session's clock; empty: at the end
     double separation = 0.0;    ///< the least of such a pass
-    /// Estimates the error between stored times of the state that the pass without it led to.
-    bool intervals = false;
+    /// Checks the state that the pass without it led to: estimates its error between stored times, and compares it with
+    /// its twin.
+    bool checking = false;
 };
 
 struct SurfaceJob {
@@ -33,6 +35,9 @@ struct SurfaceJob {
     std::shared_ptr<const store::StoreScalars> scalars; ///< of the store
     std::vector<SurfaceField> fields;
     protocol::Lattice lattice;
+    std::shared_ptr<const core::SurfacePlan> twin{};        ///< what it is compared with
+    std::shared_ptr<const store::StoreReader> twin_store{}; ///< of the twin's flow
+    std::string twin_left_out{}; ///< why it has no twin though one was asked for
 };
 
 } // namespace wakesurf::server

@@ -33,8 +33,8 @@ struct Update {
     double seconds = 0.0; ///< to build and encode
     PassSeconds took;
     ValueRanges ranges;
-    /// The error between stored times can be estimated, and is not yet.
-    bool intervals_due = false;
+    /// The error between stored times can be estimated, or the twin compared, and is not yet.
+    bool checks_due = false;
     /// Counts the frames as long as they are in use.
     std::shared_ptr<core::MemoryAccount::Share> memory{};
 };

@@ -373,11 +373,22 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
     const auto open = services_.datasets.open(asked.dataset);
     if (!open)
         return tl::unexpected(open.error());
+    if (asked.twin && asked.twin->dataset)
+        if (auto other = services_.datasets.open(*asked.twin->dataset);
+            !other && other.error().code == core::Error::Code::NotFound)
+            return tl::unexpected(other.error());
     auto fields = fields_once(*open, asked.fields);
     if (!fields)
         return tl::unexpected(fields.error());
-    protocol::SurfaceRecord record{
-        {}, 0, 0, asked.rake, asked.rake2, asked.dataset, asked.parameters, std::move(*fields)};
+    protocol::SurfaceRecord record{{},
+                                   0,
+                                   0,
+                                   asked.rake,
+                                   asked.rake2,
+                                   asked.dataset,
+                                   asked.parameters,
+                                   asked.twin,
+                                   std::move(*fields)};
     auto job = builds_.job_for(record);
     if (!job)
         return tl::unexpected(job.error());

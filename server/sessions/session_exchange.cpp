@@ -103,7 +103,10 @@ std::string list_of(const std::set<std::string>& ids) {
 std::map<std::string, std::set<std::string>> surfaces_by_dataset(const SessionRecords& records) {
     std::map<std::string, std::set<std::string>> out;
     for (const auto& [id, surface] : records.all<protocol::SurfaceRecord>())
-        out[surface.dataset].insert(id);
+        for (const auto& dataset :
+             {std::optional(surface.dataset), surface.twin ? surface.twin->dataset : std::nullopt})
+            if (dataset)
+                out[*dataset].insert(id);
     return out;
 }
 

@@ -1,6 +1,7 @@
 #include "server/sessions/surface_builds.hpp"
 
 #include "core/base/rounding.hpp"
+#include "core/surface/builder/twin.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "core/surface/playback/surface_at.hpp"
 #include "server/base/loop.hpp"
@@ -55,8 +56,27 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
         return tl::unexpected(plan.error());
     if (auto there = core::take_levels(*plan, open->levels); !there)
         return tl::unexpected(there.error());
-    return SurfaceJob{
+    SurfaceJob job{
         0, 0, std::move(*plan), open->store, open->scalars, std::move(fields), open->lattice};
+    if (record.twin)
+        add_twin(job, *record.twin, *open);
+    return job;
+}
+
+/// A surface whose twin cannot be had is a surface all the same.
+void SurfaceBuilds::add_twin(SurfaceJob& job,
+                             const protocol::Twin& twin,
+                             const OpenDataset& surface_data) const {
+    const auto open = twin.dataset ? services_.datasets.open(*twin.dataset)
+                                   : core::Result<OpenDataset>(surface_data);
+    auto plan = open.and_then([&](const OpenDataset& data) {
+        job.twin_store = data.store;
+        return core::plan_twin(job.plan, data.flow, twin.settings);
+    });
+    if (plan)
+        job.twin = std::make_shared<core::SurfacePlan>(*std::move(plan));
+    else
+        job.twin_left_out = plan.error().message;
 }
 
 std::uint32_t SurfaceBuilds::build(const protocol::SurfaceRecord& record, SurfaceJob job) {
@@ -174,6 +194,9 @@ bool SurfaceBuilds::dataset_changed(const std::string& dataset) {
     bool replaced = false;
     for (auto& [id, entry] : entries_) {
         const auto* record = records_.find<protocol::SurfaceRecord>(id);
+        if (record != nullptr && record->twin && record->twin->dataset == dataset &&
+            twin_changed(*record, *entry.live))
+            build_anew(*record, entry);
         if (record == nullptr || record->dataset != dataset)
             continue;
         const Data data = compare_data(dataset, *entry.live);
@@ -190,6 +213,15 @@ bool SurfaceBuilds::dataset_changed(const std::string& dataset) {
         }
     }
     return replaced;
+}
+
+/// The data of its twin have come, or others in their place.
+bool SurfaceBuilds::twin_changed(const protocol::SurfaceRecord& record,
+                                 const LiveSurface& live) const {
+    if (live.wanted().twin)
+        return replaced_since(services_.datasets, *record.twin->dataset, live.wanted().twin_store);
+    const auto job = job_for(record);
+    return job && job->twin;
 }
 
 /// Compares the data a surface was built from with the present ones. `Coming again`: the same as far as they

@@ -90,11 +90,14 @@ class SurfaceBuilds {
         bool withheld = false;  ///< it is not computed until a user sets it
     };
 
+    void
+    add_twin(SurfaceJob& job, const protocol::Twin& twin, const OpenDataset& surface_data) const;
     LiveSurface& live_for(const protocol::SurfaceRecord& record);
     void built(const SurfaceOutcome& outcome);
     void try_again(const std::string& surface, LiveSurface& live);
     enum class Data { Same, Other, ComingAgain };
     Data compare_data(const std::string& dataset, const LiveSurface& live) const;
+    bool twin_changed(const protocol::SurfaceRecord& record, const LiveSurface& live) const;
     void build_anew(const protocol::SurfaceRecord& record, Entry& entry);
 
     std::string session_;

@@ -67,8 +67,8 @@ def make(name: str, folder: Path, factor: float, with_dye: bool) -> None:
     values: Dict[str, Any] = {"nonOrthogonal": 0, **json.loads((source / "case.json").read_text())}
     finer = max(1, math.ceil(factor)) # narrower cells ask for shorter steps; the stored interval stays
     values["spinUpStep"] = values["spinUp"] / (finer * math.ceil(values["spinUp"] / values["spinUpStep"]))
+    values["interval"] = values["every"] * values["step"]
     values["step"] /= finer
-    values["every"] *= finer
     case.mkdir(parents=True)
     for path in [*(TEMPLATES / "common").iterdir(), *source.iterdir()]:
         if path.name in FIELDS:

@@ -148,9 +148,9 @@ Result<void> state_interval_errors(const SurfacePlan& plan,
             const double all = every.between(from, to);
             larger.push_back(all > 0.0 ? left.between(from, to) / all : 1.0);
         }
-        SurfacePlan through = plan;
-        through.flow = thin;
-        return trace_vertices(through, surface, traced, *speed, stop, work)
+        SurfacePlan thinned = plan;
+        thinned.flow = thin;
+        return trace_vertices(thinned, surface, traced, *speed, stop, work)
             .map([&](std::vector<Vec3>&& place) {
                 return Through{std::move(place), std::move(larger)};
             });

@@ -99,7 +99,7 @@ plan_twin(const SurfacePlan& of, std::shared_ptr<const Flow> flow, const TwinSet
     Rake rake = of.rake;
     for (Rake* each : {&rake, p.rake2 ? &*p.rake2 : nullptr})
         for (std::size_t i = 0; each != nullptr && i < each->points.size(); ++i)
-            each->points[i] += settings.offset;
+            each->points[i] += settings.offset.value_or(Vec3(0.0));
     const auto bounds = flow->time_bounds();
     if (bounds && p.kind != SurfaceKind::Stream)
         p.to = std::clamp(p.to, (*bounds)[0], (*bounds)[1]);

@@ -16,16 +16,6 @@
 
 namespace wakesurf::core {
 
-/// What the twin has otherwise than the surface; what is left open is the same.
-struct TwinSettings {
-    std::optional<Accuracy> accuracy{};
-    std::optional<Interpolation> interpolation{};
-    std::optional<Between> between{};
-    Vec3 offset{0.0}; ///< by which the rakes are moved
-
-    bool operator==(const TwinSettings&) const = default;
-};
-
 /// Plans a twin. Where its data end earlier, so does the twin. Loads no data. Error: InvalidArgument (a level surface, which
 /// has no particles; settings that the flow does not have), OutOfDomain, OutOfTime where they begin later.
 /// @param flow  that of the twin's data, not of a plan

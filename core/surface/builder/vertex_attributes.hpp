@@ -18,6 +18,9 @@ inline constexpr std::string_view deformation_name = "deformation";
 inline constexpr std::string_view approximated_name = "approximated";
 inline constexpr std::string_view error_name = "error";
 inline constexpr std::string_view interval_error_name = "interval_error";
+/// Of a surface that is compared with a twin.
+inline constexpr std::string_view twin_distance_name = "twin_distance";
+inline constexpr std::string_view twin_lag_name = "twin_lag";
 inline constexpr std::array derived_vertex_names{deformation_name, approximated_name, error_name,
                                                  interval_error_name};
 /// Name the components of the velocity, along x, y and z.

@@ -212,9 +212,7 @@ double usual_start(const Call& call, const protocol::SurfaceSetting& asked) {
     return asked.parameters.direction == core::Direction::Backward ? times.back() : times.front();
 }
 
-void surface_set(const Call& call, const protocol::SurfaceSetting& asked, Reply reply) {
-    protocol::SurfaceSetting setting = asked;
-    setting.parameters.from = asked.from ? *asked.from : usual_start(call, asked);
+void set_surface(const Call& call, const protocol::SurfaceSetting& setting, Reply reply) {
     const auto session = choose_session(call, setting.session);
     if (!session)
         return reply.fault(session.error());
@@ -229,6 +227,33 @@ void surface_set(const Call& call, const protocol::SurfaceSetting& asked, Reply 
                   {"rev", record->rev},
                   {"epoch", record->epoch},
                   {"seq", (*session)->seq()}});
+}
+
+void surface_set(const Call& call, const protocol::SurfaceSetting& asked, Reply reply) {
+    protocol::SurfaceSetting setting = asked;
+    setting.parameters.from = asked.from ? *asked.from : usual_start(call, asked);
+    set_surface(call, setting, std::move(reply));
+}
+
+void surface_twin(const Call& call, const protocol::SurfaceTwin& asked, Reply reply) {
+    const auto record = choose_session(call, asked.session).and_then([&](const auto& session) {
+        return session->records().template get<protocol::SurfaceRecord>(asked.surface);
+    });
+    if (!record)
+        return reply.fault(record.error());
+    protocol::SurfaceSetting setting;
+    setting.session = asked.session;
+    setting.surface = asked.surface;
+    setting.rake = record->rake;
+    setting.rake2 = record->rake2;
+    setting.dataset = record->dataset;
+    setting.parameters = record->parameters;
+    setting.from = record->parameters.from;
+    setting.twin = asked.twin;
+    setting.fields = record->fields;
+    setting.gesture = asked.gesture;
+    setting.if_rev = asked.if_rev;
+    set_surface(call, setting, std::move(reply));
 }
 
 void surface_delete(const Call& call, const protocol::SurfaceDelete& of, Reply reply) {
@@ -257,7 +282,7 @@ void surface_list(const Call& call, const protocol::SurfaceList& of, Reply reply
 } // namespace
 
 std::vector<Method> surface_methods() {
-    return {method(surface_set), method(surface_delete), method(surface_stop),
+    return {method(surface_set), method(surface_twin), method(surface_delete), method(surface_stop),
             method(surface_list)};
 }
 

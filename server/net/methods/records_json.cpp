@@ -36,7 +36,7 @@ nlohmann::json outcome_json(const SurfaceOutcome& outcome) {
     out["surface"] = outcome.surface;
     out["epoch"] = outcome.epoch;
     out["complete"] = outcome.complete;
-    if (outcome.interval_pending)
+    if (outcome.checks_pending)
         out["intervalPending"] = true;
     // A pass on the way is coarser by intent, whatever the quad limit is.
     out["coarsened"] = outcome.complete && outcome.statistics.coarsened();

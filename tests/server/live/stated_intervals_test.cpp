@@ -53,11 +53,11 @@ TEST_F(StatedIntervals, FollowTheFinalStateWithoutChangingIt) {
         settle();
         ASSERT_EQ(done.size(), 2U);
         EXPECT_TRUE(done[0].complete);
-        EXPECT_TRUE(done[0].interval_pending);
+        EXPECT_TRUE(done[0].checks_pending);
         EXPECT_FALSE(done[0].statistics.interval_error);
         EXPECT_EQ(done[0].statistics.interval_left_out, "it is not estimated yet");
         EXPECT_TRUE(done[1].complete);
-        EXPECT_FALSE(done[1].interval_pending);
+        EXPECT_FALSE(done[1].checks_pending);
         ASSERT_TRUE(done[1].statistics.interval_error);
         EXPECT_GT(done[1].statistics.interval_error->error99, 1e-4);
         EXPECT_EQ(done[1].statistics.interval_left_out, "");
@@ -91,7 +91,7 @@ TEST_F(StatedIntervals, OfAReplacedSurfaceAreNotWaitedFor) {
     surface->rebuild(stored_job(core::SurfaceKind::Streak));
     while (done.empty() && turn())
         ;
-    ASSERT_TRUE(surface->outcome().interval_pending);
+    ASSERT_TRUE(surface->outcome().checks_pending);
     EXPECT_FALSE(surface->busy());
     surface->rebuild(stored_job(core::SurfaceKind::Streak));
     EXPECT_TRUE(surface->busy());
@@ -107,7 +107,7 @@ TEST_F(StatedIntervals, AreThoseOfTheTimeThatIsShown) {
     settle();
     const auto whole = surface->outcome().statistics.interval_error;
     surface->show(2.0, false, true);
-    while (surface->outcome().interval_pending == false && turn())
+    while (surface->outcome().checks_pending == false && turn())
         ;
     surface->show(3.0, false, true); // while the job for the other time waits
     settle();
@@ -123,7 +123,7 @@ TEST_F(StatedIntervals, AreThoseOfTheTimeThatIsShown) {
 TEST_F(StatedIntervals, OfAStateThatIsNotThereAreRefused) {
     SurfaceBuild build(stored_job(core::SurfaceKind::Streak), wall);
     SurfacePass pass;
-    pass.intervals = true;
+    pass.checking = true;
     const auto update = build.run(pass, {});
     ASSERT_FALSE(update);
     EXPECT_EQ(update.error().code, core::Error::Code::NotFound);
@@ -133,7 +133,7 @@ TEST_F(StatedIntervals, AreLeftOutWithTheReasonWhereThereAreNone) {
     surface->rebuild(job_of(core::SurfaceKind::Streak));
     settle();
     ASSERT_EQ(done.size(), 1U);
-    EXPECT_FALSE(done[0].interval_pending);
+    EXPECT_FALSE(done[0].checks_pending);
     EXPECT_EQ(done[0].statistics.interval_left_out,
               "the flow is known at all times: nothing is interpolated between stored times");
 }

@@ -46,12 +46,23 @@ export type { Share as ShareLink } from './generated/share.ts';
 export type { Lattice as LatticeDescription, Role } from './generated/shared.ts';
 export type {
     PassSeconds,
+    StatedTwin,
     Statistics as SurfaceStats,
     SurfaceSubscribeResult as Subscription,
     Terminations,
+    TwinDistance,
     ValueRange,
 } from './generated/subscription.ts';
-export type { Accuracy, Between, Direction, Interpolation, Refine, SurfaceKind, SurfaceSetParams } from './generated/surface.ts';
+export type {
+    Accuracy,
+    Between,
+    Direction,
+    Interpolation,
+    Refine,
+    SurfaceKind,
+    SurfaceSetParams,
+    Twin,
+} from './generated/surface.ts';
 export { isVec3, type Vec3 } from './vec3.ts';
 
 /** What this client speaks; the server names its own level in `server.info`. */

@@ -104,7 +104,7 @@ function extent(bounds: Bounds, axis: Axis): number {
 type Level = { field: string; level: number };
 
 /** What surfaces have, and not the data. */
-const ofSurfaces = ['deformation', 'approximated', 'error', 'interval_error'];
+const ofSurfaces = ['deformation', 'approximated', 'error', 'interval_error', 'twin_distance', 'twin_lag'];
 
 export function levelFields({ surfaceFields, fields }: DatasetDescription): string[] {
     const stored = (name: string): boolean => fields.some((field) => field.name === name);

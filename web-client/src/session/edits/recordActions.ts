@@ -1,5 +1,5 @@
 // Makes, copies and deletes rakes and surfaces: buttons, one call or a few each.
-import type { ParamsOf, RakeRecord, ResultOf, SurfaceSetting } from '../../protocol/messages.ts';
+import type { ParamsOf, RakeRecord, ResultOf, SurfaceSetting, Twin } from '../../protocol/messages.ts';
 import { type RakeShape, translated } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -9,7 +9,7 @@ import type { Gestures } from './gestures.ts';
 import { surfacesOf } from './selection.ts';
 import type { UndoHistory } from './undoHistory.ts';
 
-type Edit = 'rake.set' | 'rake.delete' | 'surface.set' | 'surface.delete';
+type Edit = 'rake.set' | 'rake.delete' | 'surface.set' | 'surface.twin' | 'surface.delete';
 type CallOne = <M extends Edit>(method: M, params: ParamsOf<M>) => Promise<ResultOf<M>>;
 type Choose = (what: { rake: string } | { surface: string }) => void;
 
@@ -104,6 +104,13 @@ export class RecordActions {
         }
         const { surfaces } = this.suggestion ?? (await this.suggested());
         return { rake, dataset: shown.value!.dataset, ...surfaces[0]! };
+    }
+
+    /** @param twin undefined: with nothing from now on */
+    compare(surface: string, twin: Twin | undefined): Promise<void> {
+        return this.attempt(`surface ${surface}`, async (call) => {
+            await call('surface.twin', twin === undefined ? { surface } : { surface, twin });
+        });
     }
 
     private get suggestion(): ResultOf<'dataset.suggest'> | null {

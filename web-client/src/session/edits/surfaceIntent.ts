@@ -127,5 +127,5 @@ export function settingForRecovery(record: SurfaceRecord, rakes: ReadonlyMap<str
 
 /** Returns whether a record is what a setting asked for, so that it brings no news of other people. */
 export function fulfils(record: SurfaceRecord, setting: SurfaceSetting): boolean {
-    return surfaceAskedNames.every((name) => String(record[name]) === String(setting[name]));
+    return surfaceAskedNames.every((name) => JSON.stringify(record[name]) === JSON.stringify(setting[name]));
 }

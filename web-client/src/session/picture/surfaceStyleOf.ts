@@ -22,6 +22,9 @@ export const vorticity = 'vorticity';
 export const qCriterion = 'q_criterion';
 export const estimatedError = 'error';
 export const intervalError = 'interval_error';
+/** Of a surface that is compared with a twin. */
+export const twinDistance = 'twin_distance';
+export const twinLag = 'twin_lag';
 /** Name the components of the vorticity along x, y and z. */
 export const vorticityComponents = ['vorticity_x', 'vorticity_y', 'vorticity_z'] as const;
 const derived: readonly string[] = [
@@ -32,6 +35,8 @@ const derived: readonly string[] = [
     'approximated',
     estimatedError,
     intervalError,
+    twinDistance,
+    twinLag,
 ];
 const fieldMark = 'field:';
 const usualColour = '#8fb8de';
@@ -73,12 +78,12 @@ function fieldOf(colourBy: string): string | null {
 
 /** With a sign that says something: stretched or gathered, turning or straining, this way round or that. */
 export function isSigned(colourBy: string): boolean {
-    return [deformation, qCriterion, ...vorticityComponents].includes(colourBy);
+    return [deformation, qCriterion, twinLag, ...vorticityComponents].includes(colourBy);
 }
 
 /** Over powers of ten: most of the surface has a small part of what its worst place has. */
 export function isLogarithmic(colourBy: string): boolean {
-    return colourBy === estimatedError || colourBy === intervalError;
+    return [estimatedError, intervalError, twinDistance].includes(colourBy);
 }
 
 /** The attribute on the wire; null for what is made from s and t, or is constant. */

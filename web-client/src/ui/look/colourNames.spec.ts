@@ -40,7 +40,7 @@ describe('what colours show, in words', () => {
 
     it('offers the vorticity as magnitude and components where the server has them', () => {
         const words = (surfaceFields: string[]): string[] =>
-            colourChoices(datasetOf({ surfaceFields }), 'stream', () => true).map((each) => each.words);
+            colourChoices(datasetOf({ surfaceFields }), { kind: 'stream' }, () => true).map((each) => each.words);
         expect(words(['vorticity', 'vorticity_x', 'vorticity_y', 'vorticity_z'])).toEqual(
             expect.arrayContaining(['Vorticity (magnitude)', 'Vorticity x', 'Vorticity y', 'Vorticity z']),
         );

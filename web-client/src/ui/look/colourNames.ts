@@ -1,5 +1,5 @@
 // What a surface can be coloured by, and the colour maps.
-import type { DatasetDescription, SurfaceKind } from '../../protocol/messages.ts';
+import type { DatasetDescription, SurfaceKind, SurfaceRecord } from '../../protocol/messages.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import {
     canCome,
@@ -9,6 +9,8 @@ import {
     estimatedError,
     intervalError,
     qCriterion,
+    twinDistance,
+    twinLag,
     vorticity,
     vorticityComponents,
 } from '../../session/picture/surfaceStyleOf.ts';
@@ -27,6 +29,9 @@ export const mapNames: Record<ColourMap, string> = {
     turbo: 'Turbo',
 };
 
+const distanceName = 'Distance from the twin';
+const lagName = 'Lag of the twin';
+
 export function ageName(kind: SurfaceKind | undefined): string {
     return kind === 'time' ? 'Position across the patch' : 'Age';
 }
@@ -37,7 +42,7 @@ const notSent = ' (someone who can edit has to show it first)';
  *  already. */
 export function colourChoices(
     dataset: DatasetDescription | null,
-    kind: SurfaceKind | undefined,
+    { kind, twin }: Pick<SurfaceRecord, 'kind' | 'twin'>,
     isThere: (field: string) => boolean,
 ): Choice<string>[] {
     const fields = colourFields(dataset).map(({ name }) => ({
@@ -53,6 +58,12 @@ export function colourChoices(
         { value: 'approximated', words: 'Approximated' },
         { value: estimatedError, words: 'Estimated error' },
         { value: intervalError, words: 'Error between stored times' },
+        ...(twin === undefined
+            ? []
+            : [
+                  { value: twinDistance, words: distanceName },
+                  { value: twinLag, words: lagName },
+              ]),
     ];
     return [
         { value: 'speed', words: 'Speed' },
@@ -115,10 +126,13 @@ export function colourTitle(
     if (isComponent(scalar)) return withRate(vorticityName(scalar), time, '1/');
     if (scalar === qCriterion) return withRate('Q, above 0: vortex', time, '1/', '²');
     if (scalar === 'approximated') return 'Approximated (0: no, 1: yes)';
-    if (scalar === estimatedError || scalar === intervalError) {
-        const name = scalar === estimatedError ? 'Estimated error' : 'Error between stored times';
-        return units.length === '' ? name : `${name} (${units.length})`;
-    }
+    const length = new Map([
+        [estimatedError, 'Estimated error'],
+        [intervalError, 'Error between stored times'],
+        [twinDistance, distanceName],
+    ]).get(scalar);
+    if (length !== undefined) return units.length === '' ? length : `${length} (${units.length})`;
+    if (scalar === twinLag) return time === '' ? lagName : `${lagName} (${time})`;
     const field = scalar === 'speed' ? velocity : dataset?.fields.find(({ name }) => name === scalar);
     const name = scalar === 'speed' ? 'Speed' : isolated(scalar);
     return field?.unit === undefined ? name : `${name} (${isolated(field.unit)})`;

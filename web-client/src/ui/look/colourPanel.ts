@@ -89,7 +89,7 @@ export class ColourPanel extends LookGroup<ColourModel> {
         if (id === null || record === undefined) return html``;
         const { look } = this;
         const isThere = (field: string): boolean => state.role.value !== 'viewer' || record.fields.includes(field);
-        const choices = colourChoices(state.dataset.value, record.kind, isThere);
+        const choices = colourChoices(state.dataset.value, record, isThere);
         const range = look.range ?? scene.surfaces.spanOf(id)?.colours ?? ([0, 1] as const);
         return html`
             ${selectRow('colour-by', 'Colour by', choices, look.colourBy, (colourBy) => this.colourBy(colourBy))}

@@ -24,6 +24,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { isolated } from '../../state/announcements.ts';
 import { toggled } from '../../state/pageView.ts';
 import './meshRules.ts';
+import './twinPanel.ts';
 import { LevelRows } from './levelPanel.ts';
 import './timesPanel.ts';
 import { type Choice, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
@@ -74,7 +75,7 @@ const lengthSteps = 100;
 
 export interface SurfaceModel {
     state: AppState;
-    view: Pick<ViewState, 'units' | 'visibility' | 'changeVisibility'>;
+    view: Pick<ViewState, 'units' | 'visibility' | 'changeVisibility' | 'changeLook' | 'lookOf'>;
     edits: Pick<Edits, 'actions' | 'changeSurface' | 'chooseSurface' | 'intent' | 'remark'>;
     families: Families;
     chooseKind: (kind: SurfaceKind) => void;
@@ -163,6 +164,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                 ${intent.kind === 'level' ? (this.level ??= new LevelRows(this.model)).rows() : this.followedRows(intent, dataset)}
                 <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
                 <wakesurf-mesh-rules .model=${this.model}></wakesurf-mesh-rules>
+                <wakesurf-twin .model=${this.model}></wakesurf-twin>
             </fieldset>
             ${this.several()}
         `;
