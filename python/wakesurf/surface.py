@@ -77,6 +77,18 @@ class Surface(SurfaceChanger, Record):
                     raise WaitTimeout(f"surface {self.id} is not complete after {timeout} s",
                                       hint="wait again, or ask for less: a larger separation, fewer seeds")
 
+    def checked(self, timeout: Optional[float] = None) -> Statistics:
+        """Returns the statistics once the surface is complete, its error between stored times is estimated and its `twin`
+        is compared; where these cannot be, `intervalLeftOut` and `twinLeftOut` say why. Error: as wait."""
+        end = None if timeout is None else clock.monotonic() + timeout
+        stats = self.wait(timeout)
+        while stats.get("intervalPending") and (end is None or clock.monotonic() < end):
+            clock.sleep(0.1)
+            stats = self.stats()
+        if stats.get("intervalPending"):
+            raise WaitTimeout(f"surface {self.id} is not checked after {timeout} s", hint="wait again")
+        return stats
+
     def stop(self) -> bool:
         """Stops computing, for everyone; the newest state stays. Returns False if nothing was being computed."""
         return self.session.api.surface.stop(surface=self.id)["stopped"]

@@ -83,6 +83,13 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options);
 /// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
 int run_surface(const SurfaceOptions& options);
 
+// `wakesurf twin`: a surface as `surface` builds it, compared with others of the same seeds.
+
+void add_twin_options(CLI::App& command, SurfaceOptions& options);
+
+/// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
+int run_twin(const SurfaceOptions& options);
+
 /// Opens the dataset of a command that works without a server, imported first if needed, with its progress on
 /// standard error. @param store  empty: the default. Error: as resolve_dataset and open_dataset
 core::Result<LoadedDataset> open_for_command(const std::string& dataset,

@@ -139,6 +139,12 @@ int run(int argc, char** argv) {
     add_surface_options(*command("surface", "Build one surface and write it to a file",
                                  [&] { return run_surface(surface); }),
                         surface);
+    SurfaceOptions twin;
+    add_twin_options(*command("twin",
+                              "Build a surface and compare it with the same seeds in other data, "
+                              "or with other settings",
+                              [&] { return run_twin(twin); }),
+                     twin);
     FamilyOptions family;
     add_family_options(*command("family",
                                 "Make a family of stream surfaces as a scalar field of a dataset",

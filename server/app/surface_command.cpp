@@ -19,6 +19,7 @@
 #include "server/app/surface_passes.hpp"
 #include "server/app/surface_request.hpp"
 #include "server/app/surface_series.hpp"
+#include "server/app/twin_runs.hpp"
 #include "server/base/process_account.hpp"
 #include "server/data/surface_scalars.hpp"
 #include "store/command/memory_size.hpp"
@@ -177,9 +178,12 @@ core::Result<void> write(const SurfaceOptions& options,
 core::Result<core::SurfacePlan> planned(SurfaceRequest request,
                                         const SurfaceOptions& options,
                                         const LoadedDataset& dataset,
+                                        const std::vector<TwinRun>& twins,
                                         const std::stop_token& stop) {
     if (auto chosen = choose_open_options(request, options, dataset, stop); !chosen)
         return tl::unexpected(chosen.error());
+    if (auto common = keep_common_times(request.parameters, twins); !common)
+        return tl::unexpected(common.error());
     auto plan = core::plan_surface(dataset.flow, request.rake, std::move(request.parameters));
     if (!plan)
         return tl::unexpected(plan.error());
@@ -227,7 +231,10 @@ core::Result<void> make(const SurfaceOptions& options,
                                           process.account(), limit.token());
     if (!dataset)
         return tl::unexpected(nothing_yet(dataset.error(), limit));
-    const auto plan = planned(std::move(request), options, *dataset, limit.token());
+    const auto twins = open_twins(options, *dataset, process.account(), limit.token());
+    if (!twins)
+        return tl::unexpected(twins.error());
+    const auto plan = planned(std::move(request), options, *dataset, *twins, limit.token());
     if (!plan)
         return tl::unexpected(nothing_yet(plan.error(), limit));
     if (series)
@@ -261,9 +268,15 @@ core::Result<void> make(const SurfaceOptions& options,
         return tl::unexpected(flat.error());
     if (!memory.grow(surface.mesh.vertices() * file_bytes))
         return tl::unexpected(memory.refusal());
-    const auto scalars = surface_scalars(*dataset, surface.mesh, times, options.fields, stop);
+    auto scalars = surface_scalars(*dataset, surface.mesh, times, options.fields, stop);
     if (!scalars)
         return tl::unexpected(scalars.error());
+    if (!twins->empty()) {
+        auto compared = compare_twins(options, *twins, *plan, surface, process.account(), stop);
+        if (!compared)
+            return tl::unexpected(compared.error());
+        scalars->merge(*compared);
+    }
     if (auto written = write(options, lines, *plan, dataset->info, surface, *scalars,
                              processor_seconds, built->cut_short, *flat);
         !written)
@@ -374,6 +387,24 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         "arrows:every=D,width=W: arrows along the flow. Not as .drc. points: the vertices, with "
         "normal and radius, as .ply, or drawn in a picture");
     command.add_option("--stats", options.stats, "JSON file to write statistics to");
+}
+
+void add_twin_options(CLI::App& command, SurfaceOptions& options) {
+    add_surface_options(command, options);
+    command.add_option("OTHER", options.twins, "Other data to compare with, as DATASET");
+    command.add_option("--with", options.with,
+                       "Settings to compare with: \"accuracy=exact\", \"between=flow\", "
+                       "\"interpolation=smooth\", \"offset=x,y,z\" of the rake, or several "
+                       "\"between=cubic accuracy=exact\"; may be repeated");
+    command.add_option("--csv", options.csv, "CSV file to write the distances by age to");
+}
+
+int run_twin(const SurfaceOptions& options) {
+    if (const auto sound = check_twin_options(options); !sound) {
+        report_failure(sound.error());
+        return wrong_usage;
+    }
+    return run_surface(options);
 }
 
 int run_surface(const SurfaceOptions& options) {

@@ -40,6 +40,9 @@ struct SurfaceOptions {
     std::string times;            ///< FIRST:LAST:EVERY; empty: one file of one time
     std::string lines;            ///< which lines are written instead of the mesh; empty: the mesh
     std::string stats;
+    std::vector<std::string> twins; ///< other data that it is compared with
+    std::vector<std::string> with;  ///< other settings, likewise
+    std::string csv;                ///< file of the distances from twins by age
     std::string size = "1600x1000"; ///< of a picture, in pixels
     std::string store;
     command::SourceOptions taken;

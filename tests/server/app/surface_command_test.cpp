@@ -38,7 +38,7 @@ class SurfaceCommand : public testing::Test {
 
     /// Runs the command with `more` after a small stream surface's options, which later ones override.
     ChildOutcome run(std::vector<std::string> more) const {
-        std::vector<std::string> arguments{"surface", dataset_};
+        std::vector<std::string> arguments{command_, dataset_};
         const auto add = [&](const std::string& name, const std::string& value) {
             if (std::find(more.begin(), more.end(), name) == more.end())
                 arguments.insert(arguments.end(), {name, value});
@@ -73,6 +73,7 @@ class SurfaceCommand : public testing::Test {
         EXPECT_EQ(files(), 0u) << part;
     }
 
+    std::string command_ = "surface";
     std::string dataset_ = "flow:lamb-oseen";
 
   private:
@@ -454,6 +455,30 @@ TEST_F(SurfaceCommand, WritesComponentsOfTheVelocityAndTheNormalByName) {
                         z[v] * velocity[3 * v + 2],
                     0.0, 1e-5 * speed[v]);
     }
+}
+
+TEST_F(SurfaceCommand, ComparesTwinsByAgeAndWritesTheirDistances) {
+    command_ = "twin";
+    const auto one = run({"--with", "offset=0,0,0.25", "-o", file("one.ply"), "--csv",
+                          file("ages.csv"), "--stats", file("stats.json")});
+    ASSERT_EQ(one.exit_status, 0) << one.errors;
+    EXPECT_TRUE(holds(bytes("one.ply"), "property float twin_distance"));
+    EXPECT_TRUE(holds(bytes("ages.csv"), "\n\"offset=0,0,0.25\","));
+    const auto stats = nlohmann::json::parse(bytes("stats.json"));
+    EXPECT_NEAR(stats["twin"]["all"]["p99"], 0.25, 1e-4);
+    const auto several =
+        run({"--with", "offset=0,0,0.25", "--with", "accuracy=exact", "-o", file("mean.ply")});
+    ASSERT_EQ(several.exit_status, 0) << several.errors;
+    EXPECT_TRUE(holds(bytes("mean.ply"), "property float twin_spread"));
+}
+
+TEST_F(SurfaceCommand, RefusesTwinsOfNothingOfUnknownSettingsAndOfSeveralTimes) {
+    command_ = "twin";
+    refuses({}, 2, "there is nothing to compare with");
+    refuses({"--with", "colour=red"}, 2, "`colour`");
+    refuses({"--with", "offset=1,2"}, 2, "is not a point");
+    refuses({"--with", "accuracy=exact", "--tessellate", "2"}, 2,
+            "--tessellate cannot be combined");
 }
 
 } // namespace wakesurf::server::surface_command_test

@@ -1,5 +1,6 @@
 // The error between stored times follows a surface's final state, and yields to every edit.
 #include "core/field/stored_flow.hpp"
+#include "core/surface/builder/twin.hpp"
 #include "tests/server/live/live_surface_fixture.hpp"
 #include "tests/support/sampled_source.hpp"
 
@@ -136,6 +137,37 @@ TEST_F(StatedIntervals, AreLeftOutWithTheReasonWhereThereAreNone) {
     EXPECT_FALSE(done[0].checks_pending);
     EXPECT_EQ(done[0].statistics.interval_left_out,
               "the flow is known at all times: nothing is interpolated between stored times");
+}
+
+TEST_F(StatedIntervals, ComeWithTheTwinAndItsFields) {
+    SurfaceJob job = stored_job(core::SurfaceKind::Streak,
+                                {{"twin_distance", SurfaceField::Source::TwinDistance}});
+    const core::SurfacePlan& plan = job.plan;
+    job.twin = std::make_shared<core::SurfacePlan>(
+        core::plan_twin(plan, plan.flow, {.offset = core::Vec3(0.0, 0.0, 0.5)}).value());
+    surface->rebuild(std::move(job));
+    while (done.empty() && turn())
+        look();
+    EXPECT_TRUE(done[0].checks_pending);
+    EXPECT_EQ(done[0].statistics.twin_left_out, "it is not compared yet");
+    settle();
+    ASSERT_EQ(done.size(), 2U);
+    ASSERT_TRUE(done[1].statistics.twin);
+    EXPECT_EQ(done[1].statistics.twin_left_out, "");
+    EXPECT_NEAR(done[1].statistics.twin->all.p50, 0.5, 1e-6);
+    const protocol::WireMesh& mesh = *decoder.newest()->mesh;
+    for (const std::uint16_t code : mesh.codes[3])
+        EXPECT_NEAR(mesh.ranges[3].value(code), 0.5, 1e-3);
+}
+
+TEST_F(StatedIntervals, AndTwinsOfOtherTimesSayWhyTheyAreNotCompared) {
+    SurfaceJob job = stored_job(core::SurfaceKind::Streak);
+    job.twin_left_out = "the twin: the rake lies outside the domain by 3";
+    surface->rebuild(std::move(job));
+    settle();
+    EXPECT_FALSE(done.back().statistics.twin);
+    EXPECT_EQ(done.back().statistics.twin_left_out,
+              "the twin: the rake lies outside the domain by 3");
 }
 
 } // namespace wakesurf::server::stated_intervals_test

@@ -238,4 +238,42 @@ TEST_F(DocumentMethods, ADeletionCanDependOnTheRevision) {
     EXPECT_EQ(code("rake.delete", {{"rake", rake["rake"]}, {"ifRev", 1}}), -32004);
 }
 
+TEST_F(DocumentMethods, ATwinIsSetAloneKeptByOtherEditsAndTakenBack) {
+    const std::string rake = http("rake.set", rake_at(0.5))["result"]["rake"];
+    const json setting{{"rake", rake},
+                       {"dataset", "lamb-oseen"},
+                       {"kind", "stream"},
+                       {"to", 2.0},
+                       {"separation", 0.2}};
+    const std::string surface = http("surface.set", setting)["result"]["surface"];
+    const auto record = [&] {
+        const json list = http("surface.list", json::object());
+        for (const json& each : list["result"]["surfaces"])
+            if (each["surface"] == surface)
+                return each;
+        return json();
+    };
+    const json twin{{"accuracy", "exact"}, {"offset", {0.0, 0.0, 0.25}}};
+    const json before = record();
+    EXPECT_EQ(http("surface.twin", {{"surface", surface}, {"twin", twin}})["result"]["rev"], 2);
+    json expected = before;
+    expected["twin"] = twin;
+    expected["rev"] = 2;
+    expected["epoch"] = record()["epoch"];
+    EXPECT_EQ(record(), expected);
+    http("surface.wait", {{"surface", surface}, {"timeoutMs", 30000}});
+    json stats;
+    do
+        stats = http("surface.stats", {{"surface", surface}})["result"];
+    while (stats.contains("intervalPending"));
+    EXPECT_NEAR(stats["twin"]["all"]["p50"], 0.25, 1e-4);
+    EXPECT_EQ(stats["twin"]["all"]["compared"], 1.0);
+
+    EXPECT_EQ(http("surface.twin", {{"surface", surface},
+                                    {"twin", {{"dataset", "other"}}}})["error"]["data"]["kind"],
+              "notFound");
+    EXPECT_EQ(http("surface.twin", {{"surface", surface}})["result"]["rev"], 3);
+    EXPECT_FALSE(record().contains("twin"));
+}
+
 } // namespace wakesurf::tests::document_methods_test

@@ -73,6 +73,7 @@ const std::map<std::string, Row> rows{
     {"rake.delete", {Role::Editor, About::Session}},
     {"rake.list", {Role::Viewer, About::Session}},
     {"surface.set", {Role::Editor, About::Session}},
+    {"surface.twin", {Role::Editor, About::Session}},
     {"surface.delete", {Role::Editor, About::Session}},
     {"surface.stop", {Role::Editor, About::Session}},
     {"surface.list", {Role::Viewer, About::Session}},
