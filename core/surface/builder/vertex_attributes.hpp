@@ -21,6 +21,10 @@ inline constexpr std::string_view interval_error_name = "interval_error";
 /// Of a surface that is compared with a twin.
 inline constexpr std::string_view twin_distance_name = "twin_distance";
 inline constexpr std::string_view twin_lag_name = "twin_lag";
+inline bool is_twin_name(std::string_view name) {
+    return name == twin_distance_name || name == twin_lag_name;
+}
+
 inline constexpr std::array derived_vertex_names{deformation_name, approximated_name, error_name,
                                                  interval_error_name};
 /// Name the components of the velocity, along x, y and z.
