@@ -157,10 +157,12 @@ void describe(draco::Mesh& mesh,
               const std::vector<MeshAttribute>& attributes,
               const MeshMetadata& metadata) {
     auto about = std::make_unique<draco::GeometryMetadata>();
-    for (const std::string& line : mesh_comments(metadata)) {
+    for (const std::string& line : mesh_lines(metadata)) {
         const auto space = line.find(' ');
         about->AddEntryString(line.substr(0, space), line.substr(space + 1));
     }
+    if (!metadata.recipe.empty())
+        about->AddEntryString("recipe", metadata.recipe);
     mesh.AddMetadata(std::move(about));
     for (std::size_t i = 0; i < attributes.size(); ++i) {
         auto name = std::make_unique<draco::AttributeMetadata>();

@@ -57,6 +57,8 @@ tinygltf::Value::Object extras(const MeshMetadata& metadata) {
         out["stopped"] = Value(metadata.stopped);
     if (metadata.parameters.sweep)
         out["sweep"] = numbers({*metadata.parameters.sweep}).Get(0);
+    if (!metadata.recipe.empty())
+        out["recipe"] = Value(metadata.recipe);
     if (metadata.time)
         out["time"] = Value(*metadata.time);
     for (const auto& [name, value] : given_numbers(metadata.parameters))

@@ -26,10 +26,8 @@ void face(std::string& out, const std::uint32_t* vertices, std::size_t corners) 
 // Writes a Wavefront .obj file: `v x y z` as computed, `vt s t`, and faces as in mesh_ply. The format cannot hold further arrays.
 // Metadata in comments.
 std::string mesh_obj(const core::QuadComplex& mesh, const MeshMetadata& metadata) {
-    std::string out;
-    out.reserve(mesh.vertices() * 90 + mesh.cells.size() * 60);
-    for (const std::string& line : mesh_comments(metadata))
-        out += "# " + line + "\n";
+    std::string out = mesh_comments(metadata, "# ");
+    out.reserve(out.size() + mesh.vertices() * 90 + mesh.cells.size() * 60);
     out += "# v x y z; vt s t\no surface\n";
     for (const core::Vec3& p : mesh.position)
         out += "v " + number_text(p.x) + " " + number_text(p.y) + " " + number_text(p.z) + "\n";

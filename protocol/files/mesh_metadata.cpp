@@ -2,6 +2,7 @@
 
 #include "protocol/api/generated/names.hpp"
 #include "protocol/api/generated/surface.hpp"
+#include "protocol/files/recipe.hpp"
 
 #include <cctype>
 
@@ -77,7 +78,7 @@ std::string printable(std::string text) {
 
 } // namespace
 
-std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
+std::vector<std::string> mesh_lines(const MeshMetadata& metadata) {
     std::vector<std::string> lines{"wakesurf " + printable(metadata.version),
                                    "kind " + std::string(name(metadata.parameters.kind)),
                                    "dataset " + printable(metadata.dataset)};
@@ -105,6 +106,14 @@ std::vector<std::string> mesh_comments(const MeshMetadata& metadata) {
     if (!metadata.stopped.empty())
         lines.push_back("stopped " + printable(metadata.stopped));
     return lines;
+}
+
+std::string mesh_comments(const MeshMetadata& metadata, std::string_view word) {
+    std::string out;
+    for (const auto& lines : {recipe_lines(metadata.recipe), mesh_lines(metadata)})
+        for (const std::string& line : lines)
+            ((out += word) += line) += '\n';
+    return out;
 }
 
 } // namespace wakesurf::protocol

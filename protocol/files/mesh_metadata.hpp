@@ -11,6 +11,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::protocol {
@@ -29,6 +30,8 @@ struct MeshMetadata {
     std::string stopped{};
     /// What the surface's statistics state of its errors, by their names there.
     std::map<std::string, double> errors{};
+    /// The text of its recipe (recipe.hpp); empty: it has none.
+    std::string recipe{};
 };
 
 /// Says whether a file states the kind of a rake: three points of a circle would be taken for a polyline.
@@ -42,9 +45,12 @@ std::map<std::string, double> stated_errors(const core::SurfaceStatistics& stati
 /// Holds further vertex arrays by name, each with one value a vertex.
 using MeshScalars = std::map<std::string, std::vector<float>>;
 
-/// Returns the metadata as lines for the comments of .ply and .obj: `kind stream`, `rake 0,0,0 1,0,0`, ...; no line has a control character in it, for any name of the
+/// Returns the metadata as lines, without the recipe: `kind stream`, `rake 0,0,0 1,0,0`, ...; no line has a control character in it, for any name of the
 /// dataset.
-std::vector<std::string> mesh_comments(const MeshMetadata& metadata);
+std::vector<std::string> mesh_lines(const MeshMetadata& metadata);
+
+/// Returns the comments of .ply and .obj: those lines after those of the recipe, each begun with `word` and ended.
+std::string mesh_comments(const MeshMetadata& metadata, std::string_view word);
 
 /// Names of fields where a format takes one word only: a word for each scalar, in order: any character but ASCII letters, digits and `_` becomes `_`, and
 /// a word that is in `taken`, or was given before, gets a number behind it.

@@ -36,10 +36,7 @@ void put_bytes(std::string& out, T value) {
 
 /// Returns the head of a .ply file, of a mesh or of lines, up to the first element.
 inline std::string ply_head(const MeshMetadata& metadata) {
-    std::string text = "ply\nformat binary_little_endian 1.0\n";
-    for (const std::string& line : mesh_comments(metadata))
-        text += "comment " + line + "\n";
-    return text;
+    return "ply\nformat binary_little_endian 1.0\n" + mesh_comments(metadata, "comment ");
 }
 
 } // namespace wakesurf::protocol

@@ -157,6 +157,8 @@ std::string vtp_head(const MeshMetadata& metadata) {
     std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
                       "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
                       "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n";
+    if (!metadata.recipe.empty())
+        xml += "<!-- " + metadata.recipe + " -->\n";
     field_data(xml, metadata);
     return xml;
 }

@@ -79,9 +79,7 @@ lines_vtp(const Pieces& pieces, const LinesWanted& wanted, const MeshMetadata& m
 
 std::string
 lines_obj(const Pieces& pieces, const LinesWanted& wanted, const MeshMetadata& metadata) {
-    std::string out;
-    for (const std::string& line : mesh_comments(metadata))
-        out += "# " + line + "\n";
+    std::string out = mesh_comments(metadata, "# ");
     std::size_t points = 0, at = 0;
     std::optional<double> value;
     for (std::size_t i = 0; i < pieces.offsets.size(); ++i) {

@@ -90,7 +90,7 @@ TEST(MeshVtp, SaysOfALevelSetItsFieldAndLevelAndNoRake) {
                                    "NumberOfTuples=\"1\" format=\"ascii\">0.25 <"})
         EXPECT_NE(file.find(part), std::string::npos) << part;
     EXPECT_EQ(file.find("Name=\"rake\""), std::string::npos);
-    const auto lines = mesh_comments(level);
+    const auto lines = mesh_lines(level);
     EXPECT_NE(std::ranges::find(lines, "field p"), lines.end());
     EXPECT_NE(std::ranges::find(lines, "level 0.25"), lines.end());
 }
