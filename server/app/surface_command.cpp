@@ -22,6 +22,7 @@
 #include "server/app/twin_runs.hpp"
 #include "server/base/process_account.hpp"
 #include "server/data/surface_scalars.hpp"
+#include "server/live/surface_file.hpp"
 #include "store/command/memory_size.hpp"
 
 #include <CLI/CLI.hpp>
@@ -139,25 +140,19 @@ core::Result<BuiltSurface> build(const std::string& dataset,
 }
 
 core::Result<void> write(const SurfaceOptions& options,
-                         const std::optional<protocol::LinesWanted>& lines,
                          const core::SurfacePlan& plan,
-                         const core::DatasetInfo& info,
+                         const LoadedDataset& dataset,
                          const core::Surface& surface,
                          const protocol::MeshScalars& scalars,
                          double processor_seconds,
                          bool cut_short,
                          std::uint64_t flat_cells) {
-    const protocol::MeshMetadata metadata{.rake = plan.rake,
-                                          .parameters = plan.parameters,
-                                          .separation = surface.statistics.separation,
-                                          .tessellate = options.tessellate,
-                                          .dataset = info.dataset,
-                                          .version = WAKESURF_VERSION,
-                                          .stopped = surface.statistics.stopped,
-                                          .errors = protocol::stated_errors(surface.statistics)};
-    auto written = file_of(options.output, lines, surface.mesh, metadata, scalars, options.draco)
-                       .and_then([&](const std::string& bytes) {
-                           return write_whole_file(options.output, bytes);
+    protocol::Recipe recipe = recipe_for(options.output, options, plan, dataset);
+    if (cut_short)
+        recipe.unrepeatable = surface.statistics.stopped;
+    auto written = surface_file(std::move(recipe), surface.mesh, surface.statistics, scalars)
+                       .and_then([&](const SurfaceFile& file) {
+                           return write_whole_file(options.output, file.bytes);
                        });
     if (!written || options.stats.empty())
         return written;
@@ -224,7 +219,7 @@ core::Result<void> make(const SurfaceOptions& options,
                         SurfaceRequest request,
                         const TimeLimit& limit,
                         const std::stop_token& stop) {
-    const auto lines = request.lines;
+    const bool lines = request.lines.has_value();
     const auto series = request.series;
     const ProcessAccount process(options.memory);
     const auto dataset = open_for_command(options.dataset, options.store, options.taken,
@@ -238,7 +233,7 @@ core::Result<void> make(const SurfaceOptions& options,
     if (!plan)
         return tl::unexpected(nothing_yet(plan.error(), limit));
     if (series)
-        return write_series(options, *series, lines, *plan, *dataset, process.account(), stop);
+        return write_series(options, *series, *plan, *dataset, process.account(), stop);
     const std::clock_t began = std::clock();
     auto built =
         build_within(limit, plan->parameters, core::coarsest_separation(dataset->flow->domain()),
@@ -277,8 +272,8 @@ core::Result<void> make(const SurfaceOptions& options,
             return tl::unexpected(compared.error());
         scalars->merge(*compared);
     }
-    if (auto written = write(options, lines, *plan, dataset->info, surface, *scalars,
-                             processor_seconds, built->cut_short, *flat);
+    if (auto written = write(options, *plan, *dataset, surface, *scalars, processor_seconds,
+                             built->cut_short, *flat);
         !written)
         return written;
     const auto& statistics = surface.statistics;

@@ -2,11 +2,10 @@
 
 #include "core/base/work_memory.hpp"
 #include "core/surface/builder/interval_errors.hpp"
-#include "protocol/files/mesh_file.hpp"
-#include "protocol/files/surface_lines.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/name_mapping.hpp"
 #include "server/app/progress_line.hpp"
+#include "server/live/surface_file.hpp"
 
 #include <tbb/task_arena.h>
 
@@ -36,23 +35,17 @@ void state_interval_errors(core::Surface& surface,
         left_out = stop.stop_requested() ? "it was stopped" : stated.error().message;
 }
 
-core::Result<std::string> file_of(const std::filesystem::path& name,
-                                  const std::optional<protocol::LinesWanted>& wanted,
-                                  const core::QuadComplex& mesh,
-                                  const protocol::MeshMetadata& metadata,
-                                  const protocol::MeshScalars& scalars,
-                                  bool draco) {
-    const auto format = *protocol::mesh_format(name.extension().string().substr(1));
-    const bool points = wanted && wanted->form == protocol::LinesWanted::Form::Points;
-    if (!wanted || points)
-        return protocol::mesh_file(format, mesh, metadata, scalars,
-                                   draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain,
-                                   points ? protocol::PlyElements::Points
-                                          : protocol::PlyElements::Cells);
-    return protocol::surface_lines(mesh, *wanted, metadata.rake.closed())
-        .and_then([&](const auto& lines) {
-            return protocol::lines_file(format, lines, *wanted, metadata);
-        });
+protocol::Recipe recipe_for(const std::filesystem::path& name,
+                            const SurfaceOptions& options,
+                            const core::SurfacePlan& plan,
+                            const LoadedDataset& dataset) {
+    protocol::Recipe recipe = recipe_of(plan, dataset);
+    recipe.fields = options.fields;
+    recipe.format = name.extension().string().substr(1);
+    recipe.draco = options.draco;
+    recipe.tessellate = options.tessellate;
+    recipe.lines = options.lines;
+    return recipe;
 }
 
 core::Result<void> tell_statistics(const core::SurfaceStatistics& statistics, bool cut_short) {

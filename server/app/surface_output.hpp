@@ -6,7 +6,7 @@
 #include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface.hpp"
 #include "core/surface/surface_statistics.hpp"
-#include "protocol/files/mesh_metadata.hpp"
+#include "protocol/files/recipe.hpp"
 #include "server/app/surface_request.hpp"
 
 #include <filesystem>
@@ -23,14 +23,11 @@ void state_interval_errors(core::Surface& surface,
                            const core::MemoryAccount& account,
                            const std::stop_token& stop);
 
-/// Returns the bytes of a file of its mesh, or of lines on it. REQUIRES: the name has a known extension.
-/// Error: as mesh_file and lines_file.
-core::Result<std::string> file_of(const std::filesystem::path& name,
-                                  const std::optional<protocol::LinesWanted>& lines,
-                                  const core::QuadComplex& mesh,
-                                  const protocol::MeshMetadata& metadata,
-                                  const protocol::MeshScalars& scalars,
-                                  bool draco);
+/// Returns the recipe of a file of that name. REQUIRES: the name has a known extension.
+protocol::Recipe recipe_for(const std::filesystem::path& name,
+                            const SurfaceOptions& options,
+                            const core::SurfacePlan& plan,
+                            const LoadedDataset& dataset);
 
 /// Prints how the result differs from the request to standard error. Error: there is nothing to see, for a
 /// reason that can be cured.

@@ -7,7 +7,6 @@
 #include "core/surface/time_direction.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/files/animation_page.hpp"
-#include "protocol/files/mesh_metadata.hpp"
 #include "server/app/animation_description.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/output_files.hpp"
@@ -16,6 +15,7 @@
 #include "server/data/datasets.hpp"
 #include "server/data/surface_scalars.hpp"
 #include "server/live/surface_animation.hpp"
+#include "server/live/surface_file.hpp"
 #include "server/net/static_files.hpp"
 
 #include <fmt/format.h>
@@ -96,7 +96,6 @@ core::Result<void> write_animation(const SurfaceOptions& options,
 }
 
 core::Result<void> write_files(const SurfaceOptions& options,
-                               const std::optional<protocol::LinesWanted>& lines,
                                const core::SurfacePlan& plan,
                                const std::vector<double>& times,
                                const LoadedDataset& dataset,
@@ -114,17 +113,14 @@ core::Result<void> write_files(const SurfaceOptions& options,
         const auto scalars = surface_scalars(dataset, mesh, state->times, options.fields, stop);
         if (!scalars)
             return tl::unexpected(scalars.error());
-        const protocol::MeshMetadata metadata{.rake = plan.rake,
-                                              .parameters = plan.parameters,
-                                              .separation = state->statistics.separation,
-                                              .dataset = dataset.info.dataset,
-                                              .version = WAKESURF_VERSION,
-                                              .time = times[k],
-                                              .stopped = state->statistics.stopped};
         const auto name = name_in(options.output, k);
-        auto written =
-            file_of(name, lines, mesh, metadata, *scalars, options.draco)
-                .and_then([&](const std::string& bytes) { return write_whole_file(name, bytes); });
+        protocol::Recipe recipe = recipe_for(name, options, plan, dataset);
+        recipe.time = times[k];
+        recipe.step = true;
+        auto written = surface_file(std::move(recipe), mesh, state->statistics, *scalars)
+                           .and_then([&](const SurfaceFile& file) {
+                               return write_whole_file(name, file.bytes);
+                           });
         if (!written)
             return written;
         if (k + 1 == times.size())
@@ -151,7 +147,6 @@ core::Result<core::SurfacePlan> until(core::SurfacePlan plan, double last) {
 
 core::Result<void> write_series(const SurfaceOptions& options,
                                 const Series& series,
-                                const std::optional<protocol::LinesWanted>& lines,
                                 core::SurfacePlan plan,
                                 const LoadedDataset& dataset,
                                 const core::MemoryAccount& account,
@@ -179,7 +174,7 @@ core::Result<void> write_series(const SurfaceOptions& options,
     return arena.execute([&]() -> core::Result<void> {
         return series.animation
                    ? write_animation(options, *shown, *times, dataset, account, work, stop)
-                   : write_files(options, lines, *shown, *times, dataset, work, stop);
+                   : write_files(options, *shown, *times, dataset, work, stop);
     });
 }
 

@@ -7,7 +7,6 @@
 #include "server/app/surface_request.hpp"
 #include "server/data/open_dataset.hpp"
 
-#include <optional>
 #include <stop_token>
 
 namespace wakesurf::server {
@@ -17,7 +16,6 @@ namespace wakesurf::server {
 /// Error: as times_of, building, encoding and writing; NotFound without the viewer of animations.
 core::Result<void> write_series(const SurfaceOptions& options,
                                 const Series& series,
-                                const std::optional<protocol::LinesWanted>& lines,
                                 core::SurfacePlan plan,
                                 const LoadedDataset& dataset,
                                 const core::MemoryAccount& account,

@@ -1,7 +1,6 @@
 #include "server/base/secret.hpp"
 
 #include <openssl/crypto.h>
-#include <openssl/evp.h>
 #include <sys/random.h>
 
 #include <cerrno>
@@ -39,26 +38,13 @@ constexpr std::string_view digits = "0123456789abcdef";
 } // namespace
 
 SecretDigest secret_digest(std::string_view secret) {
-    SecretDigest digest{};
-    unsigned length = 0;
-    auto* const out = reinterpret_cast<unsigned char*>(digest.data());
-    if (EVP_Digest(secret.data(), secret.size(), out, &length, EVP_sha256(), nullptr) != 1 ||
-        length != digest.size())
-        throw std::runtime_error("the system has no SHA-256");
-    return digest;
+    Sha256 sum;
+    sum.add(secret);
+    return sum.digest();
 }
 
 bool same_digest(const SecretDigest& a, const SecretDigest& b) {
     return CRYPTO_memcmp(a.data(), b.data(), a.size()) == 0;
-}
-
-std::string digest_text(const SecretDigest& digest) {
-    std::string text;
-    for (const std::byte each : digest) {
-        text += digits[std::to_integer<unsigned>(each >> 4)];
-        text += digits[std::to_integer<unsigned>(each & std::byte{15})];
-    }
-    return text;
 }
 
 std::optional<SecretDigest> read_digest(std::string_view text) {

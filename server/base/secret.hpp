@@ -2,7 +2,8 @@
 // a digest is of no use to a table of likely ones.
 #pragma once
 
-#include <array>
+#include "server/base/sha256.hpp"
+
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -29,16 +30,13 @@ class SystemEntropy final : public Entropy {
 /// Returns a secret of 8 * `bytes` bits, as hexadecimal digits.
 std::string random_hex(Entropy& entropy, std::size_t bytes);
 
-using SecretDigest = std::array<std::byte, 32>;
+using SecretDigest = Digest;
 
 /// Returns the digest. Throws std::runtime_error if the system has no SHA-256.
 SecretDigest secret_digest(std::string_view secret);
 
 /// Compares in constant time.
 bool same_digest(const SecretDigest& a, const SecretDigest& b);
-
-/// Returns 64 hexadecimal digits.
-std::string digest_text(const SecretDigest& digest);
 
 /// Parses a digest; empty if it is none.
 std::optional<SecretDigest> read_digest(std::string_view text);

@@ -173,7 +173,9 @@ core::Result<LoadedDataset> open_flow(const DatasetArgument& argument) {
     if (!info)
         return tl::unexpected(info.error());
     return core::make_analytic_flow(argument.flow).map([&](std::unique_ptr<core::Flow> flow) {
-        return LoadedDataset{std::move(*info), std::move(flow), nullptr, nullptr, nullptr};
+        LoadedDataset open{std::move(*info), std::move(flow), nullptr, nullptr};
+        open.flow_text = argument.flow;
+        return open;
     });
 }
 

@@ -19,6 +19,7 @@
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace wakesurf::server {
@@ -36,6 +37,7 @@ struct LoadedDataset {
     std::shared_ptr<core::MemoryAccount::Share> family_memory{}; ///< of its families; likewise
     /// The job that holds its bricks; null without one.
     std::shared_ptr<const RankedStore> ranks{};
+    std::string flow_text{}; ///< of a built-in flow, behind `flow:`; empty: a store
 };
 
 /// Says how a store is opened.

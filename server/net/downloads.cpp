@@ -4,11 +4,8 @@
 #include "core/base/memory_account.hpp"
 #include "core/base/result.hpp"
 #include "core/base/rounding.hpp"
-#include "core/surface/builder/interval_errors.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/obstacle_surface.hpp"
-#include "core/surface/patches/tessellation.hpp"
-#include "core/surface/playback/surface_at.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "protocol/files/surface_lines.hpp"
@@ -17,8 +14,8 @@
 #include "server/base/limits.hpp"
 #include "server/base/split.hpp"
 #include "server/data/open_dataset.hpp"
-#include "server/data/surface_scalars.hpp"
 #include "server/live/surface_build.hpp"
+#include "server/live/surface_file.hpp"
 #include "server/net/download_request.hpp"
 
 #include <fmt/format.h>
@@ -122,85 +119,38 @@ std::string turns_of(const std::string& session, const Identity& identity) {
     return "\n" + session + "\n" + identity.grant; // no session has such a name
 }
 
-/// Returns the metadata of a surface's file.
-protocol::MeshMetadata metadata_of(const SurfaceJob& job,
-                                   const core::SurfaceStatistics& statistics,
-                                   const LoadedDataset& dataset,
-                                   std::optional<double> time) {
-    return {.rake = job.plan.rake,
-            .parameters = job.plan.parameters,
-            .separation = statistics.separation,
-            .dataset = dataset.info.dataset,
-            .version = WAKESURF_VERSION,
-            .time = time,
-            .errors = protocol::stated_errors(statistics)};
-}
-
-/// The memory for making a file from a mesh, in bytes a vertex: the most of all formats, Draco's, measured as
-/// the peak beside a mesh of 380,000 vertices.
-constexpr std::size_t vertex_file_bytes = 560;
-
 /// Holds the input of a file. Finished meshes are not kept: 100 MB a million quads.
 struct FileJob {
-    SurfaceJob surface;
+    core::SurfacePlan plan;
     std::shared_ptr<const LoadedDataset> dataset;
-    std::vector<std::string> fields;
-    DownloadRequest request;
-    std::optional<protocol::LinesWanted> lines; ///< instead of the mesh
-    std::optional<double> time;
-    bool coarse; ///< of an early pass
+    protocol::Recipe recipe;
     const core::MemoryAccount* account;
-
-    core::Result<void>
-    take(std::size_t bytes, const std::stop_token& stop, core::MemoryAccount::Share& share) const {
-        if (share.grow_to(bytes, stop, limits::download_memory))
-            return {};
-        if (stop.stop_requested())
-            return core::fail(Error::Code::Cancelled,
-                              "the client that asked for the file has left");
-        return tl::unexpected(account->refusal("a file of this surface", bytes));
-    }
 
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
-        core::WorkMemory memory(*account, stop, limits::download_memory, "a file of this surface");
-        auto shown =
-            core::surface_at(surface.plan, time, core::SteadyClock{}, stop, {nullptr, &memory});
-        if (!shown)
-            return tl::unexpected(shown.error());
-        core::Surface whole{std::move(shown->mesh), std::move(shown->statistics), shown->ended};
-        if (!coarse) // where they cannot be estimated, the file is without
-            static_cast<void>(
-                core::state_interval_errors(surface.plan, whole, stop, {nullptr, &memory}));
-        shown->mesh = std::move(whole.mesh);
-        if (request.tessellate > 1) {
-            auto cut = core::tessellate(surface.plan, shown->mesh, shown->times, request.tessellate,
-                                        stop, {nullptr, &memory});
-            if (!cut)
-                return tl::unexpected(cut.error());
-            shown->mesh = std::move(cut->mesh);
-        }
-        const std::size_t needed = shown->mesh.vertices() * (vertex_file_bytes + 8 * fields.size());
-        if (auto taken = take(needed, stop, share); !taken)
-            return tl::unexpected(taken.error());
-        auto metadata = metadata_of(surface, whole.statistics, *dataset, time);
-        metadata.tessellate = request.tessellate;
-        if (coarse)
-            metadata.stopped = "this is the coarse surface that was shown before the final one";
-        const bool points = lines && lines->form == protocol::LinesWanted::Form::Points;
-        if (lines && !points)
-            return protocol::surface_lines(shown->mesh, *lines, surface.plan.rake.closed())
-                .and_then([&](const auto& found) {
-                    return protocol::lines_file(request.format, found, *lines, metadata);
-                });
-        const auto scalars = surface_scalars(*dataset, shown->mesh, shown->times, fields, stop);
-        if (!scalars)
-            return tl::unexpected(scalars.error());
-        return protocol::mesh_file(request.format, shown->mesh, metadata, *scalars, request.glb,
-                                   points ? protocol::PlyElements::Points
-                                          : protocol::PlyElements::Cells);
+        return make_surface_file(recipe, plan, *dataset, stop,
+                                 {account, &share, limits::download_memory})
+            .map([](SurfaceFile&& file) { return std::move(file.bytes); });
     }
 };
+
+/// Returns the recipe of what was asked for.
+protocol::Recipe recipe_of_download(const core::SurfacePlan& plan,
+                                    const LoadedDataset& dataset,
+                                    const std::vector<std::string>& fields,
+                                    const DownloadRequest& request,
+                                    std::optional<double> time,
+                                    bool coarse) {
+    protocol::Recipe recipe = recipe_of(plan, dataset);
+    recipe.fields = fields;
+    recipe.format = protocol::extension(request.format);
+    recipe.draco = request.glb == protocol::GlbCoding::Draco;
+    recipe.tessellate = request.tessellate;
+    recipe.lines = request.lines;
+    recipe.time = time;
+    recipe.coarse = coarse;
+    return recipe;
+}
 
 /// Returns a tag that changes with everything that the file's bytes depend on.
 /// @param steps   the number of readable time-steps of the dataset, which may grow
@@ -349,14 +299,11 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         job.plan.parameters.deformation = true;
     job.plan.parameters.tangents =
         wanted->tessellate > 1 || std::ranges::any_of(record->fields, core::is_normal_component);
-    std::optional<protocol::LinesWanted> lines;
-    if (!wanted->lines.empty()) {
-        const auto read =
-            protocol::read_lines(wanted->lines, job.plan.parameters.kind, wanted->format);
-        if (!read)
+    if (!wanted->lines.empty())
+        if (const auto read =
+                protocol::read_lines(wanted->lines, job.plan.parameters.kind, wanted->format);
+            !read)
             return tl::unexpected(read.error());
-        lines = *read;
-    }
     auto time = shown_at(*wanted, job.plan.parameters, (*session)->clock().time());
     if (!time)
         return tl::unexpected(time.error());
@@ -373,9 +320,11 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const auto stay = (*session)->attendance().stay();
     files_.get(
         tag + place.session, turns_of(place.session, identity),
-        [file = FileJob{std::move(job), *dataset, record->fields, *wanted, lines, *time,
-                        early.has_value(), &account_}](const std::stop_token& stop,
-                                                       core::MemoryAccount::Share& share) {
+        [file = FileJob{job.plan, *dataset,
+                        recipe_of_download(job.plan, **dataset, record->fields, *wanted, *time,
+                                           early.has_value()),
+                        &account_}](const std::stop_token& stop,
+                                    core::MemoryAccount::Share& share) {
             return file.make(stop, share);
         },
         request.gone,

@@ -1,0 +1,198 @@
+#include "server/live/surface_file.hpp"
+
+#include "core/base/clock.hpp"
+#include "core/base/work_memory.hpp"
+#include "core/surface/builder/interval_errors.hpp"
+#include "core/surface/patches/tessellation.hpp"
+#include "core/surface/playback/surface_at.hpp"
+#include "protocol/files/mesh_file.hpp"
+#include "protocol/files/surface_lines.hpp"
+#include "server/base/sha256.hpp"
+#include "server/data/surface_scalars.hpp"
+
+#include <optional>
+#include <span>
+#include <utility>
+
+namespace wakesurf::server {
+
+using core::Error;
+
+protocol::Recipe recipe_of(const core::SurfacePlan& plan, const LoadedDataset& dataset) {
+    return {.version = WAKESURF_VERSION,
+            .dataset = dataset.info.dataset,
+            .flow = dataset.flow_text,
+            .values = values_of(dataset),
+            .rake = plan.rake,
+            .parameters = plan.parameters};
+}
+
+namespace {
+
+template <class Value>
+void add_array(Sha256& sum, const std::vector<Value>& values) {
+    const std::uint64_t count = values.size();
+    sum.add(std::as_bytes(std::span(&count, 1)));
+    sum.add(std::as_bytes(std::span(values)));
+}
+
+} // namespace
+
+std::string mesh_digest(const core::QuadComplex& mesh, const protocol::MeshScalars& scalars) {
+    Sha256 sum;
+    add_array(sum, mesh.position);
+    add_array(sum, mesh.s);
+    add_array(sum, mesh.t);
+    add_array(sum, mesh.velocity);
+    add_array(sum, mesh.deformation);
+    add_array(sum, mesh.component);
+    add_array(sum, mesh.approximated);
+    add_array(sum, mesh.error);
+    add_array(sum, mesh.interval_error);
+    add_array(sum, mesh.normal);
+    add_array(sum, mesh.cells);
+    for (const auto& [name, values] : scalars) {
+        sum.add(name);
+        add_array(sum, values);
+    }
+    return digest_text(sum.digest());
+}
+
+namespace {
+
+core::Result<std::string> bytes_of(const protocol::Recipe& recipe,
+                                   const core::QuadComplex& mesh,
+                                   const protocol::MeshMetadata& metadata,
+                                   const protocol::MeshScalars& scalars) {
+    const auto format = protocol::mesh_format(recipe.format);
+    if (!format)
+        return core::fail(Error::Code::InvalidArgument,
+                          "there is no format ." + recipe.format.substr(0, 16));
+    std::optional<protocol::LinesWanted> lines;
+    if (!recipe.lines.empty()) {
+        const auto read = protocol::read_lines(recipe.lines, recipe.parameters.kind, *format);
+        if (!read)
+            return tl::unexpected(read.error());
+        lines = *read;
+    }
+    const bool points = lines && lines->form == protocol::LinesWanted::Form::Points;
+    if (lines && !points)
+        return protocol::surface_lines(mesh, *lines, recipe.rake.closed())
+            .and_then([&](const auto& found) {
+                return protocol::lines_file(*format, found, *lines, metadata);
+            });
+    return protocol::mesh_file(
+        *format, mesh, metadata, scalars,
+        recipe.draco ? protocol::GlbCoding::Draco : protocol::GlbCoding::Plain,
+        points ? protocol::PlyElements::Points : protocol::PlyElements::Cells);
+}
+
+std::string digest_of(std::string_view file) {
+    Sha256 sum;
+    sum.add(file);
+    return digest_text(sum.digest());
+}
+
+/// Puts the digest of the file in place of the seal's zeros.
+void seal(std::string& file) {
+    const auto found = protocol::find_recipes(file).sound;
+    if (!found.empty())
+        file.replace(found.front().seal_begin(), protocol::seal_length, digest_of(file));
+}
+
+} // namespace
+
+bool seal_holds(std::string file, const protocol::FoundRecipe& recipe) {
+    file.replace(recipe.seal_begin(), protocol::seal_length, protocol::seal_length, '0');
+    return digest_of(file) == recipe.seal;
+}
+
+core::Result<SurfaceFile> surface_file(protocol::Recipe recipe,
+                                       const core::QuadComplex& mesh,
+                                       const core::SurfaceStatistics& statistics,
+                                       const protocol::MeshScalars& scalars,
+                                       const std::string& text) {
+    recipe.mesh = mesh_digest(mesh, scalars);
+    const protocol::MeshMetadata metadata{
+        .rake = recipe.rake,
+        .parameters = recipe.parameters,
+        .separation = statistics.separation,
+        .tessellate = recipe.tessellate,
+        .dataset = recipe.dataset,
+        .version = recipe.version,
+        .time = recipe.time,
+        .stopped = recipe.coarse ? "this is the coarse surface that was shown before the final one"
+                                 : statistics.stopped,
+        .errors = protocol::stated_errors(statistics),
+        .recipe = text.empty() ? protocol::recipe_text(recipe) : text};
+    return bytes_of(recipe, mesh, metadata, scalars).map([&](std::string&& bytes) {
+        seal(bytes);
+        return SurfaceFile{std::move(bytes), recipe.mesh};
+    });
+}
+
+namespace {
+
+/// The memory for making a file from a mesh, in bytes a vertex: the most of all formats, Draco's, measured as
+/// the peak beside a mesh of 380,000 vertices.
+constexpr std::size_t vertex_file_bytes = 560;
+
+/// Returns a step of a series as write_series makes it.
+core::Result<core::SurfaceAt> step_at(const core::SurfacePlan& plan,
+                                      double time,
+                                      const std::stop_token& stop,
+                                      core::WorkPart work) {
+    const core::SteadyClock clock;
+    auto evolution = core::Evolution::start(plan, clock, stop, work);
+    if (!evolution)
+        return tl::unexpected(evolution.error());
+    return evolution->at(time, stop, work).map([&](core::Evolution::State&& state) {
+        return core::SurfaceAt{std::move(state.mesh.mesh), std::move(state.statistics),
+                               std::move(state.times)};
+    });
+}
+
+core::Result<void> take(std::size_t bytes, const std::stop_token& stop, const FileMemory& memory) {
+    if (memory.share->grow_to(bytes, stop, memory.patience))
+        return {};
+    if (stop.stop_requested())
+        return core::fail(Error::Code::Cancelled, "the client that asked for the file has left");
+    return tl::unexpected(memory.account->refusal("a file of this surface", bytes));
+}
+
+} // namespace
+
+core::Result<SurfaceFile> make_surface_file(const protocol::Recipe& recipe,
+                                            const core::SurfacePlan& plan,
+                                            const LoadedDataset& dataset,
+                                            const std::stop_token& stop,
+                                            const FileMemory& memory,
+                                            const std::string& text) {
+    core::WorkMemory work(*memory.account, stop, memory.patience, "a file of this surface");
+    const core::WorkPart part{nullptr, &work};
+    auto shown = recipe.step && recipe.time
+                     ? step_at(plan, *recipe.time, stop, part)
+                     : core::surface_at(plan, recipe.time, core::SteadyClock{}, stop, part);
+    if (!shown)
+        return tl::unexpected(shown.error());
+    core::Surface whole{std::move(shown->mesh), std::move(shown->statistics), shown->ended};
+    if (!recipe.coarse && !recipe.step) // where they cannot be estimated, the file is without
+        static_cast<void>(core::state_interval_errors(plan, whole, stop, part));
+    if (recipe.tessellate > 1) {
+        auto cut = core::tessellate(plan, whole.mesh, shown->times, recipe.tessellate, stop, part);
+        if (!cut)
+            return tl::unexpected(cut.error());
+        whole.mesh = std::move(cut->mesh);
+        whole.statistics.error = core::stated_error(whole.mesh, whole.statistics.separation);
+    }
+    const std::size_t needed =
+        whole.mesh.vertices() * (vertex_file_bytes + 8 * recipe.fields.size());
+    if (auto taken = take(needed, stop, memory); !taken)
+        return tl::unexpected(taken.error());
+    const auto scalars = surface_scalars(dataset, whole.mesh, shown->times, recipe.fields, stop);
+    if (!scalars)
+        return tl::unexpected(scalars.error());
+    return surface_file(recipe, whole.mesh, whole.statistics, *scalars, text);
+}
+
+} // namespace wakesurf::server
