@@ -98,6 +98,22 @@ core::Result<LoadedDataset> open_for_command(const std::string& dataset,
                                              const core::MemoryAccount& account,
                                              std::stop_token stop);
 
+// `wakesurf verify`: makes the surface of a file again and compares.
+
+struct VerifyOptions {
+    std::string file;
+    std::string dataset;      ///< empty: the built-in flow that the file names
+    std::uint64_t memory = 0; ///< 0: by the machine and the control group
+    int threads = 0;          ///< 0: one a core
+    std::string store;
+    command::SourceOptions taken;
+};
+
+void add_verify_options(CLI::App& command, VerifyOptions& options);
+
+/// Returns the exit status: 0 verified, 1 something differs or failed, 2 wrong usage, or a file without a recipe.
+int run_verify(const VerifyOptions& options);
+
 // `wakesurf family`: makes, lists or removes families of stream surfaces of a dataset, without a server.
 
 /// Holds the options as given; run_family checks the texts.

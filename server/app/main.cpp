@@ -145,6 +145,11 @@ int run(int argc, char** argv) {
                               "or with other settings",
                               [&] { return run_twin(twin); }),
                      twin);
+    VerifyOptions verify;
+    add_verify_options(*command("verify",
+                                "Make the surface of a file again from the data, and compare",
+                                [&] { return run_verify(verify); }),
+                       verify);
     FamilyOptions family;
     add_family_options(*command("family",
                                 "Make a family of stream surfaces as a scalar field of a dataset",
