@@ -66,6 +66,8 @@ void members(Io& io, Of<Io, Recipe>& of) {
         surface.rake2 = "r2";
         second = RecipeRake{*of.parameters.rake2};
     }
+    if (of.twin)
+        surface.twin = Twin{{}, *of.twin};
     RecipeRake first{of.rake};
     std::uint64_t quads = of.parameters.max_quads;
     io.needed("wakesurf", of.version, {.hi = 256, .text = Text::Line});
@@ -96,6 +98,8 @@ void members(Io& io, Of<Io, Recipe>& of) {
         of.parameters.deformation = deformation;
         of.parameters.tangents = tangents;
         of.rake = std::move(first.rake);
+        if (surface.twin)
+            of.twin = surface.twin->settings;
         if (second)
             of.parameters.rake2 = std::move(second->rake);
     }

@@ -22,11 +22,12 @@ struct Recipe {
     std::string
         values{};      ///< identifies the values of data, on any machine: store::ValueMarks::text
     core::Rake rake{}; ///< of the plan: inside the domain
-    core::SurfaceParameters parameters{}; ///< of the plan: with a separation and a direction
-    std::vector<std::string> fields{};    ///< scalars at the vertices
-    std::string format{};                 ///< extension of a mesh file
-    bool draco = true;                    ///< of a .glb
-    std::uint32_t tessellate = 1;         ///< quads that each cell was cut into, each way
+    core::SurfaceParameters parameters{};     ///< of the plan: with a separation and a direction
+    std::optional<core::TwinSettings> twin{}; ///< settings of a twin of the same data
+    std::vector<std::string> fields{};        ///< scalars at the vertices
+    std::string format{};                     ///< extension of a mesh file
+    bool draco = true;                        ///< of a .glb
+    std::uint32_t tessellate = 1;             ///< quads that each cell was cut into, each way
     std::string lines{};          ///< what was written instead of the cells; empty: the cells
     std::optional<double> time{}; ///< at which the surface is shown; empty: at its end
     bool step = false;          ///< one of a series of times, in which stream surfaces grow as well

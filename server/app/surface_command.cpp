@@ -144,10 +144,12 @@ core::Result<void> write(const SurfaceOptions& options,
                          const LoadedDataset& dataset,
                          const core::Surface& surface,
                          const protocol::MeshScalars& scalars,
+                         const std::vector<TwinRun>& twins,
                          double processor_seconds,
                          bool cut_short,
                          std::uint64_t flat_cells) {
     protocol::Recipe recipe = recipe_for(options.output, options, plan, dataset);
+    note_twins(recipe, twins);
     if (cut_short)
         recipe.unrepeatable = surface.statistics.stopped;
     auto written = surface_file(std::move(recipe), surface.mesh, surface.statistics, scalars)
@@ -272,7 +274,7 @@ core::Result<void> make(const SurfaceOptions& options,
             return tl::unexpected(compared.error());
         scalars->merge(*compared);
     }
-    if (auto written = write(options, *plan, *dataset, surface, *scalars, processor_seconds,
+    if (auto written = write(options, *plan, *dataset, surface, *scalars, *twins, processor_seconds,
                              built->cut_short, *flat);
         !written)
         return written;

@@ -110,13 +110,13 @@ core::Result<std::vector<TwinRun>> open_twins(const SurfaceOptions& options,
         auto open = open_for_command(name, options.store, options.taken, account, stop);
         if (!open)
             return tl::unexpected(open.error());
-        out.push_back({name, {}, *std::move(open)});
+        out.push_back({name, true, {}, *std::move(open)});
     }
     for (const std::string& text : options.with) {
         const auto settings = read_settings(text);
         if (!settings)
             return tl::unexpected(settings.error());
-        out.push_back({text, *settings, dataset});
+        out.push_back({text, false, *settings, dataset});
     }
     return out;
 }
@@ -197,6 +197,18 @@ core::Result<protocol::MeshScalars> compare_twins(const SurfaceOptions& options,
     surface.mesh.position = std::move(band.mean);
     return protocol::MeshScalars{{"twin_spread", std::move(band.spread)},
                                  {"twin_runs", std::move(band.arrived)}};
+}
+
+void note_twins(protocol::Recipe& recipe, const std::vector<TwinRun>& twins) {
+    if (twins.size() > 1)
+        recipe.unrepeatable = "it is the mean of several runs";
+    else if (!twins.empty() && twins[0].name_is_data)
+        recipe.unrepeatable = "it was compared with other data, " + twins[0].name;
+    else if (!twins.empty()) {
+        recipe.twin = twins[0].settings;
+        recipe.fields.emplace_back(core::twin_distance_name);
+        recipe.fields.emplace_back(core::twin_lag_name);
+    }
 }
 
 } // namespace wakesurf::server

@@ -8,6 +8,7 @@
 #include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface.hpp"
 #include "protocol/files/mesh_metadata.hpp"
+#include "protocol/files/recipe.hpp"
 #include "server/app/surface_request.hpp"
 #include "server/data/open_dataset.hpp"
 
@@ -19,6 +20,7 @@ namespace wakesurf::server {
 
 struct TwinRun {
     std::string name; ///< as given
+    bool name_is_data = false;
     core::TwinSettings settings{};
     LoadedDataset dataset{};
 };
@@ -46,5 +48,8 @@ core::Result<protocol::MeshScalars> compare_twins(const SurfaceOptions& options,
                                                   core::Surface& surface,
                                                   const core::MemoryAccount& account,
                                                   const std::stop_token& stop);
+
+/// Says in the recipe what was compared with, as far as that can be made again from the data alone.
+void note_twins(protocol::Recipe& recipe, const std::vector<TwinRun>& twins);
 
 } // namespace wakesurf::server

@@ -1,3 +1,4 @@
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/level/level_surface.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/files/file_difference.hpp"
@@ -80,7 +81,9 @@ core::Result<core::SurfacePlan> planned_again(const protocol::Recipe& recipe,
         return plan;
     if (auto there = core::take_levels(*plan, dataset.levels); !there)
         return tl::unexpected(there.error());
-    if (auto known = check_fields(dataset, recipe.fields); !known)
+    std::vector<std::string> fields = recipe.fields;
+    std::erase_if(fields, core::is_twin_name);
+    if (auto known = check_fields(dataset, fields); !known)
         return tl::unexpected(known.error());
     return plan;
 }

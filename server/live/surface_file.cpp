@@ -3,6 +3,8 @@
 #include "core/base/clock.hpp"
 #include "core/base/work_memory.hpp"
 #include "core/surface/builder/interval_errors.hpp"
+#include "core/surface/builder/twin.hpp"
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/patches/tessellation.hpp"
 #include "core/surface/playback/surface_at.hpp"
 #include "protocol/files/mesh_file.hpp"
@@ -10,6 +12,7 @@
 #include "server/base/sha256.hpp"
 #include "server/data/surface_scalars.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -152,6 +155,31 @@ core::Result<core::SurfaceAt> step_at(const core::SurfacePlan& plan,
     });
 }
 
+/// Returns the fields of the twin that are asked for; none where it cannot be compared. Vertices of cut cells have none.
+core::Result<protocol::MeshScalars> twin_scalars(const protocol::Recipe& recipe,
+                                                 const core::SurfacePlan& plan,
+                                                 const LoadedDataset& dataset,
+                                                 const core::Surface& surface,
+                                                 const core::SurfacePlan* twin,
+                                                 const std::stop_token& stop,
+                                                 const core::WorkPart& work) {
+    protocol::MeshScalars out;
+    if ((twin == nullptr && !recipe.twin) || recipe.coarse || recipe.tessellate > 1 ||
+        std::ranges::none_of(recipe.fields, core::is_twin_name))
+        return out;
+    const auto planned = twin != nullptr ? core::Result<core::SurfacePlan>(*twin)
+                                         : core::plan_twin(plan, dataset.flow, *recipe.twin);
+    const auto compared = planned.and_then([&](const core::SurfacePlan& other) {
+        return core::compare_twin(plan, surface, other, stop, work);
+    });
+    if (!compared && compared.error().code != Error::Code::InvalidArgument)
+        return tl::unexpected(compared.error());
+    for (const std::string& name : recipe.fields)
+        if (compared && core::is_twin_name(name))
+            out[name] = name == core::twin_lag_name ? compared->lag : compared->distance;
+    return out;
+}
+
 core::Result<void> take(std::size_t bytes, const std::stop_token& stop, const FileMemory& memory) {
     if (memory.share->grow_to(bytes, stop, memory.patience))
         return {};
@@ -167,7 +195,8 @@ core::Result<SurfaceFile> make_surface_file(const protocol::Recipe& recipe,
                                             const LoadedDataset& dataset,
                                             const std::stop_token& stop,
                                             const FileMemory& memory,
-                                            const std::string& text) {
+                                            const std::string& text,
+                                            const core::SurfacePlan* twin) {
     core::WorkMemory work(*memory.account, stop, memory.patience, "a file of this surface");
     const core::WorkPart part{nullptr, &work};
     auto shown = recipe.step && recipe.time
@@ -178,6 +207,9 @@ core::Result<SurfaceFile> make_surface_file(const protocol::Recipe& recipe,
     core::Surface whole{std::move(shown->mesh), std::move(shown->statistics), shown->ended};
     if (!recipe.coarse && !recipe.step) // where they cannot be estimated, the file is without
         static_cast<void>(core::state_interval_errors(plan, whole, stop, part));
+    auto scalars = twin_scalars(recipe, plan, dataset, whole, twin, stop, part);
+    if (!scalars)
+        return tl::unexpected(scalars.error());
     if (recipe.tessellate > 1) {
         auto cut = core::tessellate(plan, whole.mesh, shown->times, recipe.tessellate, stop, part);
         if (!cut)
@@ -189,9 +221,12 @@ core::Result<SurfaceFile> make_surface_file(const protocol::Recipe& recipe,
         whole.mesh.vertices() * (vertex_file_bytes + 8 * recipe.fields.size());
     if (auto taken = take(needed, stop, memory); !taken)
         return tl::unexpected(taken.error());
-    const auto scalars = surface_scalars(dataset, whole.mesh, shown->times, recipe.fields, stop);
-    if (!scalars)
-        return tl::unexpected(scalars.error());
+    std::vector<std::string> others = recipe.fields;
+    std::erase_if(others, core::is_twin_name);
+    auto sampled = surface_scalars(dataset, whole.mesh, shown->times, others, stop);
+    if (!sampled)
+        return tl::unexpected(sampled.error());
+    scalars->merge(*sampled);
     return surface_file(recipe, whole.mesh, whole.statistics, *scalars, text);
 }
 

@@ -55,11 +55,13 @@ struct FileMemory {
 /// Builds the surface of a recipe, and makes its file. The same recipe and data give the same bytes, on any number of threads. Error: as
 /// surface_at, tessellate, surface_scalars and surface_file; OverLimit.
 /// @param plan  of the recipe's rake and parameters
+/// @param twin  of other data; null: of the recipe's twin, if that has one
 core::Result<SurfaceFile> make_surface_file(const protocol::Recipe& recipe,
                                             const core::SurfacePlan& plan,
                                             const LoadedDataset& dataset,
                                             const std::stop_token& stop,
                                             const FileMemory& memory,
-                                            const std::string& text = {});
+                                            const std::string& text = {},
+                                            const core::SurfacePlan* twin = nullptr);
 
 } // namespace wakesurf::server

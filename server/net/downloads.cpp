@@ -124,12 +124,13 @@ struct FileJob {
     core::SurfacePlan plan;
     std::shared_ptr<const LoadedDataset> dataset;
     protocol::Recipe recipe;
+    std::shared_ptr<const core::SurfacePlan> twin;
     const core::MemoryAccount* account;
 
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
         return make_surface_file(recipe, plan, *dataset, stop,
-                                 {account, &share, limits::download_memory})
+                                 {account, &share, limits::download_memory}, {}, twin.get())
             .map([](SurfaceFile&& file) { return std::move(file.bytes); });
     }
 };
@@ -137,12 +138,17 @@ struct FileJob {
 /// Returns the recipe of what was asked for.
 protocol::Recipe recipe_of_download(const core::SurfacePlan& plan,
                                     const LoadedDataset& dataset,
-                                    const std::vector<std::string>& fields,
+                                    const protocol::SurfaceRecord& record,
                                     const DownloadRequest& request,
                                     std::optional<double> time,
                                     bool coarse) {
     protocol::Recipe recipe = recipe_of(plan, dataset);
-    recipe.fields = fields;
+    recipe.fields = record.fields;
+    if (record.twin && std::ranges::any_of(record.fields, core::is_twin_name)) {
+        recipe.twin = record.twin->settings;
+        if (record.twin->dataset)
+            recipe.unrepeatable = "it was compared with other data, " + *record.twin->dataset;
+    }
     recipe.format = protocol::extension(request.format);
     recipe.draco = request.glb == protocol::GlbCoding::Draco;
     recipe.tessellate = request.tessellate;
@@ -321,10 +327,10 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     files_.get(
         tag + place.session, turns_of(place.session, identity),
         [file = FileJob{job.plan, *dataset,
-                        recipe_of_download(job.plan, **dataset, record->fields, *wanted, *time,
+                        recipe_of_download(job.plan, **dataset, *record, *wanted, *time,
                                            early.has_value()),
-                        &account_}](const std::stop_token& stop,
-                                    core::MemoryAccount::Share& share) {
+                        job.twin, &account_}](const std::stop_token& stop,
+                                              core::MemoryAccount::Share& share) {
             return file.make(stop, share);
         },
         request.gone,

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """Compares a streak surface with the front of a dye that the solver itself carried.
 
-    dye.py CASES [CASE ...] [--wakesurf PROGRAM]
+    dye.py CASES [CASE ...] [--wakesurf PROGRAM] [--pictures FOLDER]
 
 CASES is the folder that `make_cases.py --dye` wrote: since the window began, what enters above the rake at the inlet is dyed
 in one colour and what enters below it in another. Where the two meet is the streak surface of the rake. Prints which part
 of the front is within one cell (the cube root of its volume) of the surface, which part of the surface is within one cell of
-the front, and the distances in cells. Needs VTK (Debian: python3-vtk9).
+the front, and the distances in cells. --pictures draws sections of both. Needs VTK (Debian: python3-vtk9).
 """
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any, Tuple
+from typing import Any, Optional, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -75,7 +75,33 @@ def measure(weights: Array, cells: Array) -> str:
     return f"{weights[cells <= 1].sum() / weights.sum():6.1%} within a cell; p50 {at[0]:.2f} p90 {at[1]:.2f} p95 {at[2]:.2f} p99 {at[3]:.2f} cells"
 
 
-def compare(program: str, case: Path, name: str) -> None:
+def section(points: Array, triangles: Array, z: float) -> Array:
+    """Returns the segments [n, 2, 2] in which triangles meet the plane of this z, in x and y."""
+    above = points[triangles][:, :, 2] > z
+    cut = triangles[above.any(axis=1) & ~above.all(axis=1)]
+    ends = []
+    for i, j in ((0, 1), (1, 2), (2, 0)):
+        a, b = points[cut[:, i]], points[cut[:, j]]
+        crosses = (a[:, 2] > z) != (b[:, 2] > z)
+        share = np.where(crosses, (z - a[:, 2]) / np.where(crosses, b[:, 2] - a[:, 2], 1.0), np.nan)
+        ends.append(a[:, :2] + share[:, None] * (b - a)[:, :2])
+    found = np.stack(ends, axis=1)
+    return found[~np.isnan(found)].reshape(-1, 2, 2)
+
+
+def draw(file: Path, front: Array, surface: Array) -> None:
+    """Writes an SVG: the dye's front broad and pale, the surface thin and dark."""
+    both = np.concatenate([front, surface]).reshape(-1, 2)
+    (left, low), (right, high) = both.min(axis=0) - 0.3, both.max(axis=0) + 0.3
+    def path(segments: Array, stroke: str) -> str:
+        steps = "".join(f"M{a[0] - left:.3f} {high - a[1]:.3f}L{b[0] - left:.3f} {high - b[1]:.3f}" for a, b in segments)
+        return f'<path d="{steps}" fill="none" stroke-linecap="round" {stroke}/>'
+    file.write_text(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {right - left:.3f} {high - low:.3f}" width="1000">'
+                    '<rect width="100%" height="100%" fill="white"/>'
+                    + path(front, 'stroke="#f0a860" stroke-width="0.09"') + path(surface, 'stroke="#124" stroke-width="0.02"') + "</svg>\n")
+
+
+def compare(program: str, case: Path, name: str, pictures: Optional[Path]) -> None:
     about = json.loads((HERE / "cases" / name / "case.json").read_text())
     start, rake = about["spinUp"], about["dye"]["rake"]
     series = case / "series"
@@ -101,6 +127,9 @@ def compare(program: str, case: Path, name: str) -> None:
         to_front, nearest = distances(streak.points[sheet].mean(axis=1), of_triangles(front.points, triangles))
         print(f"{name}, t {time}: {len(corners)} triangles of the front, {len(sheet)} of the surface; cells {width.min():.3f} to {width.max():.3f}")
         print("  front to surface", measure(front.areas(triangles), to_sheet / width))
+        if pictures is not None:
+            z = float(np.mean([float(point.split(",")[2]) for point in rake.split(" ")[:1 if "rakeKind" in about["dye"] else 2]]))
+            draw(pictures / f"dye-{name}-{time}.svg", section(front.points, triangles, z), section(streak.points, sheet, z))
         print("  surface to front", measure(streak.areas(sheet), to_front / width[nearest]), flush=True)
 
 
@@ -109,10 +138,11 @@ def main() -> None:
     arguments.add_argument("cases", type=Path)
     arguments.add_argument("names", nargs="*", metavar="CASE")
     arguments.add_argument("--wakesurf", default="wakesurf")
+    arguments.add_argument("--pictures", type=Path)
     given = arguments.parse_args()
     os.environ.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
     for name in given.names or [n for n in ("cylinder", "jet", "sphere") if (given.cases / n).exists()]:
-        compare(given.wakesurf, given.cases / name, name)
+        compare(given.wakesurf, given.cases / name, name, given.pictures)
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ json echo(const json& parameters) {
     auto setting = read(parameters);
     setting.parameters.from = setting.from.value_or(0.0);
     return written(SurfaceRecord{"s1", 1, 1, setting.rake, setting.rake2, setting.dataset,
-                                 setting.parameters, setting.fields});
+                                 setting.parameters, setting.twin, setting.fields});
 }
 
 } // namespace

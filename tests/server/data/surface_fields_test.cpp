@@ -395,7 +395,7 @@ TEST(SurfaceFields, NamesAreFoundInTheDatasetFirst) {
     EXPECT_EQ(unknown.error().hint,
               "there is p, holes, U, deformation, approximated, error, vorticity, "
               "vorticity_x, vorticity_y, vorticity_z, q_criterion, velocity_x, velocity_y, "
-              "velocity_z, normal_x, normal_y, normal_z");
+              "velocity_z, normal_x, normal_y, normal_z, twin_distance, twin_lag");
     EXPECT_TRUE(find_field(store.dataset(), "vorticty")
                     .error()
                     .hint.starts_with("did you mean vorticity? There is p, holes, U, "));

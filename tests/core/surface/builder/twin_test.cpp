@@ -77,7 +77,7 @@ TEST_P(TwinsOfAllKinds, are_apart_by_what_their_flows_differ_and_late_by_the_tim
 TEST_P(TwinsOfAllKinds, of_a_moved_rake_are_apart_by_the_offset) {
     const auto flow = stored(1.0);
     const SurfacePlan base = plan(flow, GetParam(), line());
-    const SurfacePlan moved = value_of(plan_twin(base, flow, {.offset = {0.0, 0.0, -0.5}}));
+    const SurfacePlan moved = value_of(plan_twin(base, flow, {.offset = Vec3(0.0, 0.0, -0.5)}));
     const Surface surface = value_of(build_surface(base));
     const TwinComparison found = value_of(compare_twin(base, surface, moved, {}));
     for (VertexId v = 0; v < surface.mesh.vertices(); ++v) {
@@ -135,7 +135,7 @@ TEST(Twin, of_a_smaller_domain_is_compared_where_it_has_particles) {
 TEST(Twin, whose_rake_is_partly_outside_keeps_the_partners_of_the_others) {
     const auto flow = stored(1.0);
     const SurfacePlan base = plan(flow, SurfaceKind::Streak, line());
-    const SurfacePlan moved = value_of(plan_twin(base, flow, {.offset = {0.0, 4.0, 0.0}}));
+    const SurfacePlan moved = value_of(plan_twin(base, flow, {.offset = Vec3(0.0, 4.0, 0.0)}));
     const Surface surface = value_of(build_surface(base));
     const TwinComparison found = value_of(compare_twin(base, surface, moved, {}));
     for (VertexId v = 0; v < surface.mesh.vertices(); ++v)
