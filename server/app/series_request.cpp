@@ -1,14 +1,6 @@
 #include "server/app/series_request.hpp"
 
-#include "core/base/rounding.hpp"
-#include "core/surface/time_direction.hpp"
-
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
 
 namespace wakesurf::server {
 
@@ -40,44 +32,26 @@ std::vector<Place> places_in(const std::string& pattern) {
     return out;
 }
 
-core::Result<SeriesTimes> read_times(const std::string& text) {
-    std::array<double, 3> numbers{};
-    std::string_view rest = text;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const auto [end, error] =
-            std::from_chars(rest.data(), rest.data() + rest.size(), numbers[k]);
-        const bool more = end != rest.data() + rest.size();
-        if (error != std::errc() || !std::isfinite(numbers[k]) || more != (k < 2) ||
-            (more && *end != ':'))
-            return core::fail(Code::InvalidArgument,
-                              fmt::format("--times: '{}' is not FIRST:LAST:EVERY", text),
-                              "write three numbers, for example 0:20:0.1");
-        if (more)
-            rest = rest.substr(static_cast<std::size_t>(end - rest.data()) + 1);
-    }
-    if (!(numbers[2] > 0.0))
-        return core::fail(Code::InvalidArgument,
-                          fmt::format("--times: EVERY is {}, and must be above 0", numbers[2]),
-                          "where time runs backward FIRST is the later one");
-    return SeriesTimes{numbers[0], numbers[1], numbers[2]};
-}
-
 } // namespace
 
 core::Result<std::optional<Series>> read_series(const std::string& output,
                                                 const std::string& times) {
     const std::filesystem::path file(output);
     const bool animation = file.extension() == ".html";
+    const bool numbers = file.extension() == ".csv";
     // The number stands in the name: a folder may be called anything.
     const std::size_t places = places_in(file.filename().string()).size();
-    Series series{animation, {}};
+    Series series{animation ? Series::Form::Animation
+                  : numbers ? Series::Form::Numbers
+                            : Series::Form::Files,
+                  {}};
     if (!times.empty()) {
-        auto read = read_times(times);
+        auto read = read_times(times, "--times");
         if (!read)
             return tl::unexpected(read.error());
         series.times = *read;
     }
-    if (animation)
+    if (animation || numbers)
         return series;
     if (file.extension() == ".png" && (places > 0 || series.times))
         return core::fail(Code::InvalidArgument, "pictures of several times are a film",
@@ -100,43 +74,17 @@ core::Result<std::optional<Series>> read_series(const std::string& output,
 }
 
 core::Result<std::vector<double>> times_of(const Series& series, const core::SurfaceParameters& p) {
-    const double sign = core::time_sign(p);
     std::vector<double> out;
+    if (!series.times && series.form == Series::Form::Numbers)
+        return std::vector<double>{p.to};
     if (!series.times) {
         for (std::size_t k = 0; k < animation_steps; ++k)
             out.push_back(p.from + (p.to - p.from) * static_cast<double>(k) /
                                        static_cast<double>(animation_steps - 1));
         return out;
     }
-    const auto [first, last, every] = *series.times;
-    const double low = std::min(p.from, p.to);
-    const double high = std::max(p.from, p.to);
-    for (const double time : {first, last})
-        if (!core::within_rounding(time, low, high))
-            return core::fail(
-                Code::InvalidArgument,
-                fmt::format("--times: {} is outside the times of the surface, {} to {}",
-                            core::time_text(time), core::time_text(p.from), core::time_text(p.to)),
-                "choose times inside them, or other --from and --to");
-    const double length = sign * (last - first);
-    if (length < 0.0)
-        return core::fail(Code::InvalidArgument,
-                          fmt::format("--times: the surface moves from {} to {}, and the times run "
-                                      "the other way",
-                                      core::time_text(p.from), core::time_text(p.to)),
-                          "exchange FIRST and LAST");
-    const std::size_t most = series.animation ? most_steps : most_files;
-    const double intervals = std::floor(length / every * (1.0 + 1e-12) + 1e-9);
-    if (intervals + 1.0 > static_cast<double>(most))
-        return core::fail(
-            Code::InvalidArgument,
-            fmt::format("--times: that are {:.0f} times, and at most {} can be written",
-                        intervals + 1.0, most),
-            "make EVERY larger");
-    const auto count = static_cast<std::size_t>(intervals) + 1;
-    for (std::size_t k = 0; k < count; ++k)
-        out.push_back(std::clamp(first + sign * every * static_cast<double>(k), low, high));
-    return out;
+    return times_in(*series.times, p, series.form == Series::Form::Files ? most_files : most_steps,
+                    "--times");
 }
 
 std::filesystem::path name_in(const std::string& pattern, std::size_t number) {

@@ -1,8 +1,10 @@
-// What the command `surface` is to write more than one state of: an animation in one file, or a file a time.
+// What the command `surface` is to write of the states of a surface: an animation in one file, numbers in one file, or
+// a file a time.
 #pragma once
 
 #include "core/base/result.hpp"
 #include "core/surface/surface_parameters.hpp"
+#include "server/data/series_times.hpp"
 
 #include <cstddef>
 #include <filesystem>
@@ -12,28 +14,23 @@
 
 namespace wakesurf::server {
 
-/// Times FIRST:LAST:EVERY.
-struct SeriesTimes {
-    double first = 0.0;
-    double last = 0.0;
-    double every = 0.0; ///< above 0
-};
-
 struct Series {
-    bool animation = false; ///< one page of all; else a file a time
+    /// What is made of the states.
+    enum class Form { Files, Animation, Numbers };
+    Form form = Form::Files;
     std::optional<SeriesTimes> times{};
 };
 
 inline constexpr std::size_t animation_steps = 200; ///< without --times
-inline constexpr std::size_t most_steps = 2000;     ///< of an animation
+inline constexpr std::size_t most_steps = 2000;     ///< of an animation, or of numbers
 inline constexpr std::size_t most_files = 10000;
 
 /// Reads -o and --times; nothing where they name one file of one time. Error: InvalidArgument.
 core::Result<std::optional<Series>> read_series(const std::string& output,
                                                 const std::string& times);
 
-/// Returns the times, from the first to the last that EVERY leads to; evenly from `from` to `to` where none
-/// were asked for. Error: InvalidArgument for times outside `from` to `to`, against their direction, or too
+/// Returns the times, from the first to the last that EVERY leads to. Where none were asked for: of an animation evenly
+/// from `from` to `to`, of numbers `to` alone. Error: InvalidArgument for times outside `from` to `to`, against their direction, or too
 /// many.
 core::Result<std::vector<double>> times_of(const Series& series,
                                            const core::SurfaceParameters& parameters);

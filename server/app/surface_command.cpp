@@ -223,6 +223,7 @@ core::Result<void> make(const SurfaceOptions& options,
                         const std::stop_token& stop) {
     const bool lines = request.lines.has_value();
     const auto series = request.series;
+    const auto through = request.through;
     const ProcessAccount process(options.memory);
     const auto dataset = open_for_command(options.dataset, options.store, options.taken,
                                           process.account(), limit.token());
@@ -235,7 +236,7 @@ core::Result<void> make(const SurfaceOptions& options,
     if (!plan)
         return tl::unexpected(nothing_yet(plan.error(), limit));
     if (series)
-        return write_series(options, *series, *plan, *dataset, process.account(), stop);
+        return write_series(options, *series, through, *plan, *dataset, process.account(), stop);
     const std::clock_t began = std::clock();
     auto built =
         build_within(limit, plan->parameters, core::coarsest_separation(dataset->flow->domain()),
@@ -348,13 +349,19 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
         .add_option("-o,--output", options.output,
                     "File to write: .vtp, .glb, .ply, .obj or .drc; NAME_%03d.EXT for a file a "
                     "time, see --times; .html for an animation that a browser opens from the disk, "
-                    "without a server; or .png for a picture, which needs Python with numpy, and "
-                    "Chromium")
+                    "without a server; .csv for numbers: area, flux, ages and times, each with its "
+                    "errors; or "
+                    ".png for a picture, which needs Python with numpy, and Chromium")
         ->required();
-    command.add_option("--times", options.times,
-                       "FIRST:LAST:EVERY: times of an animation, or of a file each; between --from "
-                       "and --to, of a stream surface --from plus the age (default of an "
-                       "animation: 200 from --from to --to)");
+    command.add_option(
+        "--times", options.times,
+        "FIRST:LAST:EVERY: times of an animation, of numbers, or of a file each; between "
+        "--from and --to, of a stream surface --from plus the age (default: of an "
+        "animation 200 from --from to --to, of numbers --to)");
+    command.add_option("--through", options.through,
+                       "Numbers: plane:x,y,z:nx,ny,nz, a point and the normal, or "
+                       "box:x,y,z:x,y,z, two corners: where the surface meets it, at which ages, "
+                       "and what is inside");
     command.add_option("--size", options.size, "WIDTHxHEIGHT of a picture, in pixels")
         ->capture_default_str()
         ->check([](const std::string& text) -> std::string {

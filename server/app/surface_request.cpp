@@ -9,6 +9,7 @@
 #include "server/app/command_output.hpp"
 #include "server/app/rake_text.hpp"
 #include "server/data/dataset_suggestion.hpp"
+#include "server/data/region_text.hpp"
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -230,7 +231,7 @@ core::Result<void> check_output(const std::string& output, const char* option, b
         return core::fail(Code::InvalidArgument,
                           std::string(option) + ": '" + output + "' has no known extension",
                           "write " + protocol::mesh_extensions() +
-                              ", .html for an animation, or .png for a picture");
+                              ", .html for an animation, .csv for numbers, or .png for a picture");
     std::error_code ignored;
     const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
     if (!std::filesystem::is_directory(folder, ignored))
@@ -273,17 +274,21 @@ core::Result<void> check_picture_options(const SurfaceOptions& options) {
 
 /// Returns InvalidArgument for an option that a series does not take.
 core::Result<void> check_series_options(const SurfaceOptions& options, const Series& series) {
+    const bool files = series.form == Series::Form::Files;
     const std::pair<bool, const char*> others[] = {
-        {series.animation && !options.lines.empty(), "--lines"},
+        {series.form == Series::Form::Numbers && !options.fields.empty(), "--fields"},
+        {!files && !options.lines.empty(), "--lines"},
         {options.tessellate > 1, "--tessellate"},
-        {series.animation && !options.draco, "--no-draco"},
+        {!files && !options.draco, "--no-draco"},
         {!options.stats.empty(), "--stats"},
         {options.seconds > 0.0, "--seconds"}};
     for (const auto& [given, option] : others)
         if (given)
             return core::fail(core::Error::Code::InvalidArgument,
                               std::string(option) + " cannot be combined with " +
-                                  (series.animation ? "an animation" : "--times"),
+                                  (files                                    ? "--times"
+                                   : series.form == Series::Form::Animation ? "an animation"
+                                                                            : "numbers"),
                               "leave it out, or write one mesh");
     return {};
 }
@@ -331,9 +336,19 @@ core::Result<SurfaceRequest> check_surface_options(const SurfaceOptions& options
     if (request.series)
         if (auto checked = check_series_options(options, *request.series); !checked)
             return tl::unexpected(checked.error());
-    const bool animation = request.series && request.series->animation;
-    if (auto checked = check_output(options.output, "-o", !request.picture && !animation); !checked)
+    const bool mesh =
+        !request.picture && (!request.series || request.series->form == Series::Form::Files);
+    if (auto checked = check_output(options.output, "-o", mesh); !checked)
         return tl::unexpected(checked.error());
+    if (!options.through.empty()) {
+        if (!request.series || request.series->form != Series::Form::Numbers)
+            return core::fail(Code::InvalidArgument, "--through is for numbers",
+                              "leave it out, or write .csv");
+        auto region = parse_region(options.through, "--through");
+        if (!region)
+            return tl::unexpected(region.error());
+        request.through = *region;
+    }
     if (request.picture)
         if (auto checked = check_picture_options(options); !checked)
             return tl::unexpected(checked.error());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/result.hpp"
+#include "core/surface/measures/region.hpp"
 #include "core/surface/rake.hpp"
 #include "core/surface/surface_parameters.hpp"
 #include "protocol/api/generated/limits.hpp"
@@ -38,6 +39,7 @@ struct SurfaceOptions {
     bool draco = true;            ///< in .glb files
     std::uint32_t tessellate = 1; ///< quads a cell becomes, each way
     std::string times;            ///< FIRST:LAST:EVERY; empty: one file of one time
+    std::string through;          ///< a plane or a box that numbers refer to; empty: none
     std::string lines;            ///< which lines are written instead of the mesh; empty: the mesh
     std::string stats;
     std::vector<std::string> twins; ///< other data that it is compared with
@@ -56,7 +58,8 @@ struct SurfaceRequest {
     std::optional<protocol::LinesWanted> lines; ///< instead of the mesh
     std::string asked;    ///< JSON: of surface.set, what was given; without rakes and dataset
     bool picture = false; ///< instead of the mesh
-    std::optional<Series> series{}; ///< instead of one mesh
+    std::optional<Series> series{};        ///< instead of one mesh
+    std::optional<core::Region> through{}; ///< of numbers
 };
 
 /// Checks the options. Error: InvalidArgument for wrong usage, Unsupported for what wakesurf cannot do,

@@ -3,10 +3,12 @@
 #include "core/base/clock.hpp"
 #include "core/base/work_done.hpp"
 #include "core/base/work_memory.hpp"
+#include "core/surface/measures/numbers_over_time.hpp"
 #include "core/surface/playback/evolution.hpp"
 #include "core/surface/time_direction.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/files/animation_page.hpp"
+#include "protocol/files/numbers_csv.hpp"
 #include "server/app/animation_description.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/output_files.hpp"
@@ -132,6 +134,28 @@ core::Result<void> write_files(const SurfaceOptions& options,
     return {};
 }
 
+core::Result<void> write_numbers(const SurfaceOptions& options,
+                                 const core::SurfacePlan& plan,
+                                 const std::vector<double>& times,
+                                 const std::optional<core::Region>& through,
+                                 const LoadedDataset& dataset,
+                                 const core::WorkPart& work,
+                                 const std::stop_token& stop) {
+    const auto table =
+        core::numbers_over_time(plan, times, through, core::SteadyClock{}, stop, work);
+    if (!table)
+        return tl::unexpected(table.error());
+    if (auto shown = tell_statistics(table->statistics, false); !shown)
+        return shown;
+    const std::string text =
+        protocol::numbers_csv(*table, dataset.info.length_unit, dataset.info.time_unit);
+    if (auto written = write_whole_file(options.output, text); !written)
+        return written;
+    tell("{}: {} {} of {} numbers\n", options.output, times.size(),
+         times.size() == 1 ? "time" : "times", table->columns.size());
+    return {};
+}
+
 /// Returns the plan of the surface until that time. Level sets keep theirs: they have no age.
 core::Result<core::SurfacePlan> until(core::SurfacePlan plan, double last) {
     core::SurfaceParameters p = plan.parameters;
@@ -147,6 +171,7 @@ core::Result<core::SurfacePlan> until(core::SurfacePlan plan, double last) {
 
 core::Result<void> write_series(const SurfaceOptions& options,
                                 const Series& series,
+                                const std::optional<core::Region>& through,
                                 core::SurfacePlan plan,
                                 const LoadedDataset& dataset,
                                 const core::MemoryAccount& account,
@@ -172,9 +197,14 @@ core::Result<void> write_series(const SurfaceOptions& options,
     tbb::task_arena arena(used);
     const core::WorkPart work{&done, &memory};
     return arena.execute([&]() -> core::Result<void> {
-        return series.animation
-                   ? write_animation(options, *shown, *times, dataset, account, work, stop)
-                   : write_files(options, *shown, *times, dataset, work, stop);
+        switch (series.form) {
+        case Series::Form::Animation:
+            return write_animation(options, *shown, *times, dataset, account, work, stop);
+        case Series::Form::Numbers:
+            return write_numbers(options, *shown, *times, through, dataset, work, stop);
+        default:
+            return write_files(options, *shown, *times, dataset, work, stop);
+        }
     });
 }
 

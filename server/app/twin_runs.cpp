@@ -89,7 +89,8 @@ core::Result<void> check_twin_options(const SurfaceOptions& options) {
         {!options.times.empty(), "--times"},
         {options.seconds > 0.0, "--seconds"},
         {std::filesystem::path(options.output).extension() == ".png", "a picture"},
-        {std::filesystem::path(options.output).extension() == ".html", "an animation"}};
+        {std::filesystem::path(options.output).extension() == ".html", "an animation"},
+        {std::filesystem::path(options.output).extension() == ".csv", "a table of numbers"}};
     for (const auto& [given, option] : others)
         if (given)
             return core::fail(Code::InvalidArgument,

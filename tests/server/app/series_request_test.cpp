@@ -43,7 +43,8 @@ TEST(SeriesRequest, LeavesOtherNamesOfOneFileAlone) {
     for (const char* one :
          {"a.glb", "100%.vtp", "50%x.ply", "%s.obj", "%3d.vtp", "folder_%d/a.vtp"})
         EXPECT_FALSE(value_of(read_series(one, ""))) << one;
-    EXPECT_TRUE(value_of(read_series("a.html", ""))->animation);
+    EXPECT_EQ(value_of(read_series("a.html", ""))->form, Series::Form::Animation);
+    EXPECT_EQ(value_of(read_series("a.csv", ""))->form, Series::Form::Numbers);
 }
 
 TEST(SeriesRequest, RefusesNamesAndTimesThatDoNotGoTogether) {
@@ -85,7 +86,7 @@ TEST(SeriesRequest, RefusesTimesOutsideTheSurfaceAndTooManyOfThem) {
 }
 
 TEST(SeriesRequest, ShowsAnAnimationFromItsBeginToItsEndWithoutTimes) {
-    const auto all = value_of(times_of(Series{true, {}}, from_to(16, 8.5)));
+    const auto all = value_of(times_of(Series{Series::Form::Animation, {}}, from_to(16, 8.5)));
     ASSERT_EQ(all.size(), animation_steps);
     EXPECT_EQ(all.front(), 16.0);
     EXPECT_EQ(all.back(), 8.5);
