@@ -6,6 +6,7 @@
 
 #include <glm/common.hpp>
 
+#include <cmath>
 #include <sstream>
 
 namespace wakesurf::protocol::glb {
@@ -19,6 +20,9 @@ tinygltf::Value numbers(const std::vector<core::Vec3>& points) {
                                                  tinygltf::Value(p.z)});
     return tinygltf::Value(list);
 }
+
+/// A quarter turn about x, as a quaternion x, y, z, w: up is y in glTF, and z in simulations.
+const std::vector<double> upright{-std::sqrt(0.5), 0.0, 0.0, std::sqrt(0.5)};
 
 tinygltf::Material both_sides() {
     tinygltf::Material out;
@@ -120,8 +124,10 @@ file_of(tinygltf::Model& model, const std::string& version, tinygltf::Value::Obj
     model.asset.version = "2.0";
     model.asset.generator = "wakesurf " + version;
     tinygltf::Node node;
-    if (!model.meshes.empty())
+    if (!model.meshes.empty()) {
         node.mesh = 0;
+        node.rotation = upright;
+    }
     model.nodes.push_back(std::move(node));
     tinygltf::Scene scene;
     scene.extras = tinygltf::Value(std::move(extras));

@@ -76,7 +76,8 @@ class PlainArrays {
     std::vector<unsigned char> bytes_;
 };
 
-/// Returns the file. A model without a mesh becomes a scene without one. Error: Corrupt.
+/// Returns the file. The mesh has the data's coordinates, and its node turns their z up: glTF's up is y. A model without
+/// a mesh becomes a scene without one. Error: Corrupt.
 core::Result<std::string>
 file_of(tinygltf::Model& model, const std::string& version, tinygltf::Value::Object extras);
 

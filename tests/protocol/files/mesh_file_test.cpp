@@ -265,6 +265,18 @@ TEST(MeshFile, SaysAtWhichTimeItIsShownWhereThatIsNotItsEnd) {
         tests::read_ply(written(MeshFormat::Ply, tests::small_mesh())).about.contains("time"));
 }
 
+TEST(MeshFile, OfGlbStandsUprightWhereYIsUp) {
+    const auto node =
+        json::parse(tests::read_glb(written(MeshFormat::Glb, surface())).json)["nodes"][0];
+    const auto q = node["rotation"].get<std::vector<double>>();
+    const core::Vec3 axis(q[0], q[1], q[2]);
+    const auto turned = [&](const core::Vec3& v) {
+        return v + 2.0 * glm::cross(axis, glm::cross(axis, v) + q[3] * v);
+    };
+    EXPECT_LT(glm::length(turned({0, 0, 1}) - core::Vec3(0, 1, 0)), 1e-12);
+    EXPECT_LT(glm::length(turned({1, 0, 0}) - core::Vec3(1, 0, 0)), 1e-12);
+}
+
 TEST(MeshFile, GlbNamesItsExtensionAndItsBounds) {
     const auto read = tests::read_glb(written(MeshFormat::Glb, surface()));
     const json gltf = json::parse(read.json);
