@@ -23,7 +23,7 @@ server's page in Chromium. `to_vtk`, `to_pyvista`, `to_meshio` and `to_dataframe
 Failures are subclasses of `WakesurfError`; each has `code`, `kind`, `hint` and `data` as the server gave them.
 Objects may be used by one thread at a time.
 """
-from . import notifications, records
+from . import notifications, numbers, records
 from .client import Client
 from .connection import Connection
 from .errors import (BrowserMissing, Cancelled, DatasetError, InvalidParameters, InvalidPoints, InvalidRequest, Leased,
@@ -44,4 +44,4 @@ __all__ = ["BrowserMissing", "Camera", "Cancelled", "Client", "Connection", "Dat
            "Mesh", "MethodNotFound", "MissingParameter", "NoSuchArray", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
            "PictureFailed", "Progress", "Rake", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Stale",
            "Surface", "SurfaceLook", "Unauthenticated", "UnknownParameter", "Unreachable", "Update", "WaitTimeout",
-           "WakesurfError", "__version__", "notifications", "records", "serve", "write_series"]
+           "WakesurfError", "__version__", "notifications", "numbers", "records", "serve", "write_series"]

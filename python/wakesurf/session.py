@@ -19,6 +19,7 @@ from .generated.surfaces import SurfaceMaker
 from .mesh import Mesh
 from .names import Helpful, named
 from .name_mapping import error_of
+from .numbers import Share, shares
 from .plain import HasId, Json, Points
 from .progress import ProgressTarget, Report
 from .record import Rake, one_of
@@ -166,6 +167,13 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
     def surfaces(self) -> List[Surface]:
         """Returns all surfaces."""
         return [Surface(self, each["surface"]) for each in self.api.surface.list()["surfaces"]]
+
+    def shares(self, surfaces: Sequence[Surface], through: str, by: str = "inside_area", *,
+               time: Union[float, str, None] = None, timeout: float = 600.0) -> Dict[str, Share]:
+        """Returns by id what share each of several surfaces has of what is in a box, or comes through a plane: by
+        "inside_area", by "section_flux" of closed tubes, or another of the numbers. `through` and `time` as in
+        `Surface.numbers`. Error: ValueError where a number is not known; it says why."""
+        return shares({each.id: each.numbers(through=through, time=time, timeout=timeout) for each in surfaces}, by)
 
     def undo(self) -> HistoryUndoResult:
         """Undoes the newest edit made with this token outside of any WebSocket: {undone, skipped, undo, redo}."""

@@ -18,6 +18,7 @@ from .generated.surfaces import SETTABLE, SurfaceChanger
 from .files import write_whole
 from .mesh import Array, Mesh
 from .name_mapping import error_of
+from .numbers import Numbers, Times, query_of
 from .plain import Json, plain
 from .progress import ProgressTarget, Report
 from .record import Record
@@ -105,8 +106,6 @@ class Surface(SurfaceChanger, Record):
 
     def _fetch(self, format: str, tag: Optional[str], timeout: float, time: Union[float, str, None],
                draco: bool = True, lines: Optional[str] = None, tessellate: int = 1) -> Tuple[str, bytes]:
-        path = "/api/v1/sessions/{}/surfaces/{}/mesh.{}".format(
-            *(urllib.parse.quote(word, safe="") for word in (self.session.id, self.id, format)))
         query = {} if time is None else {"time": time if isinstance(time, str) else repr(float(plain(time, "time")))}
         if not draco:
             query["draco"] = "false"
@@ -114,6 +113,11 @@ class Surface(SurfaceChanger, Record):
             query["lines"] = lines
         if tessellate != 1:
             query["tessellate"] = str(int(plain(tessellate, "tessellate")))
+        return self._file(f"mesh.{format}", query, tag, timeout)
+
+    def _file(self, name: str, query: Mapping[str, str], tag: Optional[str], timeout: float) -> Tuple[str, bytes]:
+        path = "/api/v1/sessions/{}/surfaces/{}/{}".format(
+            *(urllib.parse.quote(word, safe="") for word in (self.session.id, self.id, name)))
         if query:
             path += "?" + urllib.parse.urlencode(query)
         headers = {"If-None-Match": tag} if tag else {}
@@ -121,6 +125,18 @@ class Surface(SurfaceChanger, Record):
         if status not in (200, 304):
             raise error_of(json.loads(body)["error"])
         return reply.get("ETag", ""), body if status == 200 else b""
+
+    def numbers(self, times: Optional[Times] = None, through: Optional[str] = None, timeout: float = 600.0, *,
+                time: Union[float, str, None] = None) -> Numbers:
+        """Returns area, flux and more, each with its errors, see numbers.py: as the session shows the surface, at another
+        `time` or at the "end", or at `times` (first, last, every), of a stream surface `from` plus the age. `through`: a
+        plane or a box of numbers.py, for ages there and what is inside.
+
+        >>> numbers = surface.numbers(through=wakesurf.numbers.box((0, 0, 0), (1, 1, 1)))
+        >>> 0 < numbers["area_error"][0] < numbers["area"][0] >= numbers["inside_area"][0]
+        True
+        """
+        return Numbers.from_csv(self._file("numbers.csv", query_of(times, through, time), None, timeout)[1].decode())
 
     def export(self, path: Union[str, os.PathLike[str]], timeout: float = 600.0, *,
                time: Union[float, str, None] = None, draco: bool = True, lines: Optional[str] = None,

@@ -210,8 +210,8 @@ Downloads::Downloads(Loop& loop,
                      const SessionDirectory& sessions,
                      const DatasetCatalogue& catalogue,
                      const core::MemoryAccount& account)
-    : sessions_(sessions), catalogue_(catalogue), account_(account), files_(loop, pool, &account_) {
-}
+    : sessions_(sessions), catalogue_(catalogue), account_(account), files_(loop, pool, &account_),
+      numbers_(sessions_, catalogue_, account_, files_) {}
 
 bool Downloads::handle(const HttpRequest& request,
                        const Identity& identity,
@@ -221,6 +221,9 @@ bool Downloads::handle(const HttpRequest& request,
     if (parts.size() == 6 && request.path.starts_with("/api/v1/datasets/") &&
         parts[5] == "obstacle.bin")
         obstacle(request, identity, part(4), respond);
+    else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
+             parts[5] == "surfaces" && parts[7] == numbers_file)
+        numbers_.get(request, identity, part(4), part(6), respond);
     else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
              parts[5] == "surfaces")
         surface(request, identity, {part(4), part(6), part(7)}, respond);

@@ -5,6 +5,7 @@
 #include "server/base/identity.hpp"
 #include "server/data/dataset_catalogue.hpp"
 #include "server/net/http_message.hpp"
+#include "server/net/number_downloads.hpp"
 #include "server/net/shared_files.hpp"
 #include "server/sessions/session_directory.hpp"
 
@@ -52,6 +53,7 @@ class Downloads {
     const DatasetCatalogue& catalogue_;
     core::MemoryAccount account_;
     SharedFiles files_;
+    NumberDownloads numbers_;
 };
 
 } // namespace wakesurf::server

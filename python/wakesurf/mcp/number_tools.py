@@ -67,6 +67,8 @@ def _empty(stats: Mapping[str, Any]) -> str:
 def _numbers(work: Work, given: Json, call: Call) -> Answer:
     surface = work.surface(given.get("surface"))
     call.check()
+    if "through" in given or "times" in given:
+        return _measured(surface, given)
     mesh = surface.mesh(time=given.get("time"))
     numbers: Json = {"surface": surface.id, **{name: mesh.about[name] for name in ("kind", "dataset", "time") if name in mesh.about},
                **_mesh_numbers(mesh)}
@@ -79,6 +81,15 @@ def _numbers(work: Work, given: Json, call: Call) -> Answer:
     return Answer(f"{surface.id}{_at(numbers)}: area {numbers['area']:.5g} in a box of {box}, {numbers['vertices']} vertices"
                   + (f", speed {speed['min']:.3g} to {speed['max']:.3g}, {speed['mean']:.3g} in the mean" if "mean" in speed else "") + ".",
                   numbers)
+
+
+def _measured(surface: Surface, given: Json) -> Answer:
+    found = surface.numbers(given.get("times"), given.get("through"), time=given.get("time"))
+    last = found.row()
+    rows = [{name: short(value) if np.isfinite(value) else None for name, value in found.row(i).items()} for i in range(len(found))]
+    notes = "; ".join(dict.fromkeys(filter(None, found.notes)))
+    return Answer(f"{surface.id}: area {last['area']:.5g}, {len(rows)} time(s) of {len(last)} numbers." + (f" {notes}." if notes else ""),
+                  {"surface": surface.id, "units": dict(found.units), "rows": rows, "notes": found.notes})
 
 
 def _at(numbers: Mapping[str, Any]) -> str:
@@ -139,7 +150,11 @@ WAIT = tool("wait", "Wait for a surface", "Waits until a surface is complete, an
             {"surface": SURFACE_ID, "seconds": {"type": "number", "minimum": 0, "maximum": 3600, "description": "at most so long; 60"}},
             reads_only=True)(_wait)
 NUMBERS = tool("numbers", "Measure a surface", "Area, bounds, and the least, greatest and mean value (by area) of each field on a surface: speed, t (age), s "
-               "(place on the rake), deformation, and the fields that it was made with.", {"surface": SURFACE_ID, "time": TIME},
+               "(place on the rake), deformation, and the fields that it was made with. With `through` or `times` instead: area, flux, ages and times of "
+               "stay, each with its errors.",
+               {"surface": SURFACE_ID, "time": TIME,
+                "through": {"type": "string", "description": "plane:x,y,z:nx,ny,nz or box:x,y,z:x,y,z: ages where the surface meets it, and what is inside"},
+                "times": {"type": "string", "description": "FIRST:LAST:EVERY: a row each; of a stream surface `from` plus the age"}},
                reads_only=True)(_numbers)
 COMPARE = tool("compare", "Compare two surfaces", "Areas, bounds, means of fields, and how far two surfaces are apart; or one at two times.",
                {"a": {"type": "string", "description": "id of a surface"}, "b": {"type": "string", "description": "id of another; left out, `a` itself"},

@@ -1,0 +1,155 @@
+#include "server/net/number_downloads.hpp"
+
+#include "core/base/clock.hpp"
+#include "core/surface/measures/numbers_over_time.hpp"
+#include "core/surface/request/surface_plan.hpp"
+#include "core/surface/time_direction.hpp"
+#include "protocol/api/base/json_text.hpp"
+#include "protocol/files/numbers_csv.hpp"
+#include "server/base/limits.hpp"
+#include "server/data/open_dataset.hpp"
+#include "server/data/region_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <utility>
+#include <vector>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+core::Result<NumbersRequest> read_numbers(const std::map<std::string, std::string>& query) {
+    NumbersRequest out;
+    std::map<std::string, std::string> shown;
+    for (const auto& [name, value] : query) {
+        if (name == "times") {
+            const auto times = read_times(value, "`times`");
+            if (!times)
+                return tl::unexpected(times.error());
+            out.times = *times;
+        } else if (name == "through") {
+            const auto region = parse_region(value, "`through`");
+            if (!region)
+                return tl::unexpected(region.error());
+            out.through = *region;
+        } else if (name == "time") {
+            shown.emplace(name, value);
+        } else {
+            return fail(Error::Code::InvalidArgument,
+                        "numbers have no parameter `" + name.substr(0, 64) + "`",
+                        "the parameters are ?time=2.5, ?time=end, ?times=0:5:0.1 and "
+                        "?through=plane:0,0,0:1,0,0 or box:0,0,0:1,1,1");
+        }
+    }
+    if (out.times && !shown.empty())
+        return fail(Error::Code::InvalidArgument, "`time` and `times` exclude each other",
+                    "leave one out");
+    return read_download("mesh.vtp", shown).map([&](const DownloadRequest& when) {
+        out.shown = when;
+        return out;
+    });
+}
+
+namespace {
+
+/// Holds the input of a file.
+struct NumbersJob {
+    core::SurfacePlan plan;
+    std::shared_ptr<const LoadedDataset> dataset; ///< keeps what the plan needs
+    std::vector<double> times;
+    std::optional<core::Region> through;
+    const core::MemoryAccount* account;
+
+    core::Result<std::string> make(const std::stop_token& stop,
+                                   core::MemoryAccount::Share& share) const {
+        core::WorkMemory memory(*account, stop, limits::download_memory,
+                                "the numbers of this surface");
+        return core::numbers_over_time(plan, times, through, core::SteadyClock{}, stop,
+                                       {nullptr, &memory})
+            .and_then([&](const core::NumberTable& table) -> core::Result<std::string> {
+                std::string text = protocol::numbers_csv(table, dataset->info.length_unit,
+                                                         dataset->info.time_unit);
+                if (!share.grow_to(text.size()))
+                    return tl::unexpected(account->refusal("a file of numbers", text.size()));
+                return text;
+            });
+    }
+};
+
+} // namespace
+
+core::Result<void> NumberDownloads::offer(const HttpRequest& request,
+                                          const Identity& identity,
+                                          const std::string& session_id,
+                                          const std::string& surface,
+                                          const Respond& respond) {
+    const auto wanted = url_query(request.query).and_then(read_numbers);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto session = sessions_.find(session_id);
+    if (!session)
+        return tl::unexpected(session.error());
+    const auto record = (*session)->records().get<protocol::SurfaceRecord>(surface);
+    if (!record)
+        return tl::unexpected(record.error());
+    const auto live = (*session)->live(surface);
+    if (!live)
+        return tl::unexpected(live.error());
+    if (const auto wrong = (*live)->outcome().error) // holds for its numbers as well
+        return tl::unexpected(*wrong);
+    const auto dataset = catalogue_.find(record->dataset);
+    if (!dataset)
+        return tl::unexpected(dataset.error());
+    NumbersJob job{(*live)->wanted().plan, *dataset, {}, wanted->through, &account_};
+    const core::SurfaceParameters& p = job.plan.parameters;
+    if (wanted->times) {
+        auto times = times_in(*wanted->times, p, most_numbers_times, "`times`");
+        if (!times)
+            return tl::unexpected(times.error());
+        job.times = *std::move(times);
+    } else {
+        const auto time = shown_at(wanted->shown, p, (*session)->clock().time());
+        if (!time)
+            return tl::unexpected(time.error());
+        job.times = {time->value_or(p.to)};
+    }
+    const auto status = catalogue_.status(record->dataset);
+    const std::string tag = fmt::format(
+        "numbers|{}|{}|{}|{}|{}|{}|{}", session_id, surface, record->epoch,
+        protocol::json_text(protocol::written(*record)), status ? status->steps_ready : 0,
+        values_of(**dataset) + ((*dataset)->scalars ? (*dataset)->scalars->mark() : ""),
+        wanted->times ? request.query : fmt::format("{} {}", request.query, job.times.front()));
+    const auto stay = (*session)->attendance().stay();
+    files_.get(
+        // No session has such a name: one file of each link and session at a time.
+        tag, "\n" + session_id + "\n" + identity.grant,
+        [job = std::move(job)](const std::stop_token& stop, core::MemoryAccount::Share& share) {
+            return job.make(stop, share);
+        },
+        request.gone,
+        [respond, surface, stay](const core::Result<File>& file) {
+            if (!file)
+                return respond(http_error(file.error()));
+            respond({200,
+                     {{"Content-Type", "text/csv; charset=utf-8"},
+                      {"Content-Disposition",
+                       fmt::format("attachment; filename=\"{}-numbers.csv\"", surface)},
+                      {"Cache-Control", "private, no-cache"}},
+                     *file});
+        });
+    return {};
+}
+
+void NumberDownloads::get(const HttpRequest& request,
+                          const Identity& identity,
+                          const std::string& session,
+                          const std::string& surface,
+                          const Respond& respond) {
+    if (const auto offered = offer(request, identity, session, surface, respond); !offered)
+        respond(http_error(offered.error()));
+}
+
+} // namespace wakesurf::server
