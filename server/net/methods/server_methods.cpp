@@ -21,6 +21,7 @@ json capabilities() {
              "stop",   "trash",   "thumbnail", "level"};
     for (const auto format : protocol::mesh_formats)
         out.push_back("mesh." + std::string(protocol::extension(format)));
+    out.push_back("numbers.csv");
     return out;
 }
 
