@@ -1,5 +1,5 @@
-// The whole mesh of a surface as a file, in full precision. The server answers when the surface is final, or
-// with what it shows now.
+// Files of a surface: its whole mesh in full precision, and its numbers. The server answers when the surface is final,
+// or with the mesh that it shows now.
 import { signal } from '@preact/signals-core';
 import { faultOf, type OwnServer, requestWords } from '../../connection/ownServer.ts';
 import { type MeshFile, meshPath } from './scripts.ts';
@@ -44,6 +44,24 @@ export class MeshDownload {
             return null;
         } finally {
             if (this.current === current) this.current = null;
+        }
+    }
+
+    /** The numbers as CSV, or why there are none. @param query  as numbers.csv takes it */
+    async numbers(
+        session: string,
+        surface: string,
+        query: Readonly<Record<string, string>>,
+        signal?: AbortSignal,
+    ): Promise<{ text: string | null; fault: string }> {
+        const [of, id] = [encodeURIComponent(session), encodeURIComponent(surface)];
+        try {
+            const path = `api/v1/sessions/${of}/surfaces/${id}/numbers.csv?${new URLSearchParams(query).toString()}`;
+            const reply = await this.server.fetch(path, signal === undefined ? {} : { signal });
+            if (!reply.ok) throw await faultOf(reply);
+            return { text: await reply.text(), fault: '' };
+        } catch (error) {
+            return { text: null, fault: requestWords(error) };
         }
     }
 

@@ -18,6 +18,7 @@ import { ModelElement } from '../base/signalElement.ts';
 import { countWords, phaseWords } from '../base/words.ts';
 import { downloadMesh } from '../out/meshExport.ts';
 import '../surface/qualityPanel.ts';
+import './numbersPanel.ts';
 
 export interface StatusModel {
     state: AppState;
@@ -112,6 +113,7 @@ export class StatusPanel extends ModelElement<StatusModel> {
             ${this.progress()}
             <wakesurf-long-pass .model=${this.model}></wakesurf-long-pass>
             <wakesurf-quality .model=${this.model}></wakesurf-quality>
+            <wakesurf-numbers .model=${this.model}></wakesurf-numbers>
             <wakesurf-latency .model=${this.model}></wakesurf-latency>
             ${
                 phase === 'error' || phase === 'stopped'

@@ -1,0 +1,165 @@
+// Shows numbers of the surface, on demand: its area, what flows through it, and how old it is where it meets a plane or a box; each with its
+// errors. The server computes them once the surface is complete, and has them over time as a file.
+import { signal } from '@preact/signals-core';
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { shortNumber } from '../../scene/base/numbers.ts';
+import type { MeshDownload } from '../../session/out/meshDownload.ts';
+import { withUnit } from '../../session/picture/writtenNumbers.ts';
+import { type NumberTable, readNumbers } from '../../session/surface/numberTable.ts';
+import type { AppState } from '../../state/appState.ts';
+import { fileName, saveFile } from '../base/copyAndSave.ts';
+import { ModelElement } from '../base/signalElement.ts';
+
+/** Rows of the file over time. */
+const intervals = 50;
+
+const shown: readonly { name: string; words: string; error?: string }[] = [
+    { name: 'area', words: 'Area', error: 'area' },
+    { name: 'flux', words: 'Flux through it', error: 'flux' },
+    { name: 'tube_flux', words: 'Flux through the tube', error: 'tube_flux' },
+    { name: 'tube_flux_lost_by_tracing', words: '… lost by tracing', error: 'tube_flux_lost_by_tracing' },
+    {
+        name: 'tube_flux_gained_by_divergence',
+        words: '… gained, divergence of the data',
+        error: 'tube_flux_gained_by_divergence',
+    },
+    { name: 'cut_length', words: 'Length of the cut' },
+    { name: 'age_least', words: 'Least age there', error: 'age' },
+    { name: 'age_median', words: 'Median age there', error: 'age' },
+    { name: 'age_p90', words: '90 % are younger than', error: 'age' },
+    { name: 'section_flux', words: 'Flux through the section', error: 'section_flux' },
+    { name: 'inside_area', words: 'Area inside', error: 'inside_area' },
+    { name: 'residence_median', words: 'Median time of stay', error: 'residence' },
+    { name: 'residence_p90', words: '90 % stay no longer than', error: 'residence' },
+    { name: 'entered', words: 'Share of the rake that enters' },
+    { name: 'still_inside', words: 'Share of these still inside' },
+];
+
+export interface NumbersModel {
+    state: Pick<AppState, 'activeSurface' | 'dataset' | 'displayed' | 'phase' | 'session' | 'surface'>;
+    mesh: Pick<MeshDownload, 'numbers'>;
+}
+
+export class NumbersPanel extends ModelElement<NumbersModel> {
+    private readonly open = signal(false);
+    private readonly through = signal('');
+    private readonly found = signal<{ of: string; table: NumberTable | null; fault: string } | null>(null);
+    private asked = '';
+    private request: AbortController | null = null;
+
+    static override styles = css`
+        :host {
+            display: block;
+        }
+        dl {
+            grid-template-columns: 1fr auto;
+            gap: 2px 8px;
+            margin: 4px 0;
+            font-size: 12px;
+        }
+        input {
+            width: 100%;
+            box-sizing: border-box;
+        }
+        .problem {
+            color: var(--warm);
+        }
+    `;
+
+    override disconnectedCallback(): void {
+        super.disconnectedCallback();
+        this.request?.abort();
+        this.asked = '';
+    }
+
+    override render(): TemplateResult {
+        const { state } = this.model;
+        const id = state.activeSurface.value ?? '';
+        const displayed = state.displayed.value.get(id);
+        const complete = state.phase.value === 'final' || state.phase.value === 'coarsened';
+        const of = `${id} ${displayed?.stateSum ?? ''} ${this.through.value}`;
+        if (this.open.value && complete && displayed !== undefined) this.ask(id, of);
+        return html`<details id="numbers" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
+            <summary class="quiet">Numbers</summary>
+            ${this.open.value ? this.contents(of, complete) : nothing}
+        </details>`;
+    }
+
+    private contents(of: string, complete: boolean): TemplateResult {
+        const found = this.found.value;
+        const now = found?.of === of ? found : null;
+        return html`<label
+                >Through
+                <input
+                    type="text"
+                    id="through"
+                    placeholder="plane:0,0,0:1,0,0 or box:0,0,0:1,1,1"
+                    .value=${this.through.value}
+                    @change=${(event: Event) => (this.through.value = (event.target as HTMLInputElement).value.trim())}
+            /></label>
+            ${now === null ? html`<p class="quiet">${complete ? 'Being computed …' : 'Once the surface is complete.'}</p>` : nothing}
+            ${now?.fault ? html`<p class="problem" role="alert">${now.fault}</p>` : nothing}
+            ${now?.table ? list(now.table) : nothing}
+            <button type="button" ?disabled=${!complete} @click=${() => this.save()}>CSV over time</button>`;
+    }
+
+    /** Once a state and a place; a newer question ends the one before. */
+    private ask(surface: string, of: string): void {
+        if (this.asked === of) return;
+        this.asked = of;
+        this.request?.abort();
+        const request = new AbortController();
+        this.request = request;
+        const answered = (table: NumberTable | null, fault: string): void => {
+            if (!request.signal.aborted) this.found.value = { of, table, fault };
+        };
+        this.model.mesh.numbers(this.model.state.session.value ?? '', surface, this.query(), request.signal).then(
+            ({ text, fault }) => answered(text === null ? null : readNumbers(text), fault),
+            () => answered(null, ''),
+        );
+    }
+
+    private query(): Record<string, string> {
+        return this.through.value === '' ? {} : { through: this.through.value };
+    }
+
+    private async save(): Promise<void> {
+        const { state, mesh } = this.model;
+        const { activeSurface, session, surface, dataset } = state;
+        if (activeSurface.value === null || session.value === null || surface.value === undefined) return;
+        const { from, to, kind } = surface.value;
+        const every = Math.abs(to - from) / intervals;
+        const query = this.query();
+        if (every > 0) query['times'] = `${from}:${to}:${every}`;
+        const { text, fault } = await mesh.numbers(session.value, activeSurface.value, query);
+        if (text !== null) saveFile(new Blob([text], { type: 'text/csv' }), fileName(dataset.value?.name, `${kind}-numbers.csv`));
+        else if (this.found.value !== null) this.found.value = { ...this.found.value, fault };
+    }
+}
+
+/** The last row: "3.21 ± 0.02 m^2", and what the stored times add to that. */
+function list(table: NumberTable): TemplateResult {
+    const row = table.rows.at(-1) ?? new Map<string, number>();
+    const note = table.notes.at(-1) ?? '';
+    const value = (name: string, error?: string): string => {
+        const off = row.get(`${error}_error`);
+        const between = row.get(`${error}_interval_error`);
+        const unit = table.units.get(name) ?? '';
+        const rounded = (one: number): string => shortNumber(Number(one.toPrecision(2)));
+        const own = off === undefined || Number.isNaN(off) ? '' : ` ± ${rounded(off)}`;
+        const stored = between === undefined || Number.isNaN(between) ? '' : ` ± ${rounded(between)} (stored times)`;
+        return withUnit(`${shortNumber(row.get(name) ?? Number.NaN)}${own}${stored}`, unit);
+    };
+    return html`<dl>
+            ${shown
+                .filter(({ name }) => Number.isFinite(row.get(name)))
+                .map(
+                    ({ name, words, error }) =>
+                        html`<dt>${words}</dt>
+                            <dd data-name=${name}>${value(name, error)}</dd>`,
+                )}
+        </dl>
+        ${note === '' ? nothing : html`<p class="quiet" id="numbers-notes">${note}</p>`}`;
+}
+
+customElements.define('wakesurf-numbers', NumbersPanel);
