@@ -12,7 +12,7 @@ namespace wakesurf::protocol {
 
 enum class GlbCoding { Draco, Plain };
 
-/// Writes one two-sided mesh of triangles, hanging nodes included: POSITION, _S, _T, _SPEED, _VELOCITY,
+/// Writes one two-sided mesh of triangles, hanging nodes included: POSITION, COLOR_0 (by age, a level surface by speed), _S, _T, _SPEED, _VELOCITY,
 /// _DEFORMATION, _COMPONENT, _APPROXIMATED and one attribute a scalar, its name in capitals. Draco: the
 /// extension is required, there is no second, uncompressed copy. Plain: 32-bit floats, with NORMAL, some 12
 /// times as large. A surface without cells is a scene without a mesh. Metadata in the scene's extras. Same

@@ -265,6 +265,21 @@ TEST(MeshFile, SaysAtWhichTimeItIsShownWhereThatIsNotItsEnd) {
         tests::read_ply(written(MeshFormat::Ply, tests::small_mesh())).about.contains("time"));
 }
 
+TEST(MeshFile, OfGlbIsColouredByAgeFromDarkToBright) {
+    const core::QuadComplex mesh = surface();
+    const auto read = tests::read_glb(written(MeshFormat::Glb, mesh, {}, GlbCoding::Plain));
+    const auto& colours = read.arrays.at("COLOR_0");
+    ASSERT_EQ(colours.size(), 3 * mesh.vertices());
+    const auto brightness = [&](std::size_t v) {
+        return 0.2126 * colours[3 * v] + 0.7152 * colours[3 * v + 1] + 0.0722 * colours[3 * v + 2];
+    };
+    for (std::size_t a = 0; a < mesh.vertices(); ++a)
+        for (std::size_t b = 0; b < mesh.vertices(); ++b)
+            if (std::abs(mesh.t[a]) < std::abs(mesh.t[b])) {
+                EXPECT_LE(brightness(a), brightness(b) + 1e-6);
+            }
+}
+
 TEST(MeshFile, OfGlbStandsUprightWhereYIsUp) {
     const auto node =
         json::parse(tests::read_glb(written(MeshFormat::Glb, surface())).json)["nodes"][0];
