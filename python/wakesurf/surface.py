@@ -56,9 +56,11 @@ class Surface(SurfaceChanger, Record):
         """Returns the statistics of the newest state; `complete` says whether it is the final one."""
         return self.session.api.surface.stats(surface=self.id)
 
-    def wait(self, timeout: Optional[float] = None, progress: Optional[ProgressTarget] = None) -> Statistics:
+    def wait(self, timeout: Optional[float] = None, progress: Optional[ProgressTarget] = None,
+             checked: bool = False) -> Statistics:
         """Returns the statistics, once the surface is complete. `progress`: a function that receives `Progress`, or a
-        bar of tqdm, see progress.py. Error: WaitTimeout after `timeout` seconds; that of computing it.
+        bar of tqdm, see progress.py. `checked`: once its error between stored times is estimated and its `twin`
+        compared, too. Error: WaitTimeout after `timeout` seconds; that of computing it.
 
         >>> shares = []
         >>> surface.wait(progress=lambda progress: shares.append(progress.share))["complete"], shares[-1]
@@ -69,26 +71,14 @@ class Surface(SurfaceChanger, Record):
         with _Waiting(self.session, report) as waiting:
             while True:
                 left = waiting.slice_ms if end is None else max(0, min(waiting.slice_ms, int(1000 * (end - clock.monotonic()))))
-                stats = waiting.ask(self.id, left)
-                if stats["complete"]:
+                stats = waiting.ask(self.id, left, checked)
+                if stats["complete"] and not (checked and stats.get("intervalPending")):
                     report.done("complete", stats)
                     return stats
                 report.state(stats)
                 if end is not None and clock.monotonic() >= end:
                     raise WaitTimeout(f"surface {self.id} is not complete after {timeout} s",
                                       hint="wait again, or ask for less: a larger separation, fewer seeds")
-
-    def checked(self, timeout: Optional[float] = None) -> Statistics:
-        """Returns the statistics once the surface is complete, its error between stored times is estimated and its `twin`
-        is compared; where these cannot be, `intervalLeftOut` and `twinLeftOut` say why. Error: as wait."""
-        end = None if timeout is None else clock.monotonic() + timeout
-        stats = self.wait(timeout)
-        while stats.get("intervalPending") and (end is None or clock.monotonic() < end):
-            clock.sleep(0.1)
-            stats = self.stats()
-        if stats.get("intervalPending"):
-            raise WaitTimeout(f"surface {self.id} is not checked after {timeout} s", hint="wait again")
-        return stats
 
     def stop(self) -> bool:
         """Stops computing, for everyone; the newest state stays. Returns False if nothing was being computed."""
@@ -293,14 +283,14 @@ class _Waiting:
         if self._connection is not None:
             self._connection.close()
 
-    def ask(self, surface: str, wait_ms: int) -> Statistics:
+    def ask(self, surface: str, wait_ms: int, checked: bool) -> Statistics:
         """Returns the answer of `surface.wait`."""
         if self._connection is None:
             stats: Statistics = self._session.call("surface.wait", wait_ms / 1000 + self._session.client.timeout, surface=surface,
-                                                   timeoutMs=wait_ms)
+                                                   timeoutMs=wait_ms, checked=checked)
             return stats
         number = self._connection.start("surface.wait", session=self._session.id, surface=surface, timeoutMs=wait_ms,
-                                        workDoneToken="wait")
+                                        checked=checked, workDoneToken="wait")
         while True:
             answer = self._connection.answer_or_notification(number)
             if not isinstance(answer, Notification):

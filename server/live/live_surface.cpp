@@ -344,10 +344,6 @@ void LiveSurface::finished(PriorityClass priority, core::Result<Update> result, 
     advance();
 }
 
-double LiveSurface::seconds_since(std::chrono::steady_clock::time_point time) const {
-    return std::chrono::duration<double>(services_.clock.now() - time).count();
-}
-
 double LiveSurface::finest() const {
     return wanted_.plan.parameters.separation;
 }
@@ -449,10 +445,12 @@ void LiveSurface::retire() {
                                 "`surface.list` lists them"));
 }
 
-std::uint64_t
-LiveSurface::wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter) {
+std::uint64_t LiveSurface::wait(std::uint32_t epoch,
+                                std::chrono::milliseconds patience,
+                                Waiter waiter,
+                                bool checked) {
     const SurfaceOutcome now = outcome();
-    if (epoch <= epoch_ && (now.error || now.complete)) {
+    if (epoch <= epoch_ && (now.error || (now.complete && !(checked && now.checks_pending)))) {
         waiter(now.error ? core::Result<SurfaceOutcome>(tl::unexpected(*now.error))
                          : core::Result<SurfaceOutcome>(now));
         return 0;
@@ -464,7 +462,7 @@ LiveSurface::wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waite
             const auto self = weak.lock();
             return self ? self->outcome() : SurfaceOutcome{};
         },
-        std::move(waiter));
+        std::move(waiter), checked);
     advance(); // it may be hidden
     return ticket;
 }

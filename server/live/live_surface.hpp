@@ -148,7 +148,11 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     /// == false after `patience`. While the clock runs the first state of full quality suffices. Error:
     /// OverLimit for too many waiters; that of the computation; NotFound when the surface is deleted. Returns
     /// a ticket for forget(), which releases the waiter without calling it.
-    std::uint64_t wait(std::uint32_t epoch, std::chrono::milliseconds patience, Waiter waiter);
+    /// @param checked  waits too until its error between stored times is estimated and its twin is compared
+    std::uint64_t wait(std::uint32_t epoch,
+                       std::chrono::milliseconds patience,
+                       Waiter waiter,
+                       bool checked = false);
     void forget(std::uint64_t ticket);
 
   private:
@@ -191,7 +195,10 @@ class LiveSurface : public std::enable_shared_from_this<LiveSurface> {
     void give_up_stale();
     void encode_key();
     double finest() const;
-    double seconds_since(std::chrono::steady_clock::time_point time) const;
+
+    double seconds_since(std::chrono::steady_clock::time_point time) const {
+        return std::chrono::duration<double>(services_.clock.now() - time).count();
+    }
 
     std::string id_;
     std::uint32_t number_;

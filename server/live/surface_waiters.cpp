@@ -10,7 +10,8 @@ namespace wakesurf::server {
 std::uint64_t SurfaceWaiters::add(std::uint32_t epoch,
                                   std::chrono::milliseconds patience,
                                   std::function<SurfaceOutcome()> give_up,
-                                  Waiter waiter) {
+                                  Waiter waiter,
+                                  bool checked) {
     if (waiting_.size() >= limits::waiters) {
         waiter(core::over_limit(limits::waiters,
                                 "too many calls of `surface.wait` are open for this surface",
@@ -22,7 +23,8 @@ std::uint64_t SurfaceWaiters::add(std::uint32_t epoch,
         if (const auto self = weak.lock())
             self->give_up(id);
     });
-    waiting_.push_back({id, epoch, std::move(waiter), std::move(give_up), std::move(timer)});
+    waiting_.push_back(
+        {id, epoch, std::move(waiter), std::move(give_up), std::move(timer), checked});
     return id;
 }
 
@@ -36,8 +38,10 @@ void SurfaceWaiters::forget(std::uint64_t ticket) {
 }
 
 void SurfaceWaiters::answer(std::uint32_t epoch, const core::Result<SurfaceOutcome>& outcome) {
-    const auto later = std::stable_partition(
-        waiting_.begin(), waiting_.end(), [&](const Waiting& each) { return each.epoch > epoch; });
+    const auto later =
+        std::stable_partition(waiting_.begin(), waiting_.end(), [&](const Waiting& each) {
+            return each.epoch > epoch || (each.checked && outcome && outcome->checks_pending);
+        });
     std::vector<Waiting> ready(std::make_move_iterator(later),
                                std::make_move_iterator(waiting_.end()));
     waiting_.erase(later, waiting_.end());
@@ -53,7 +57,8 @@ void SurfaceWaiters::give_up(std::uint64_t id) {
     const Waiting waiting = std::move(*found);
     waiting_.erase(found);
     SurfaceOutcome so_far = waiting.give_up();
-    so_far.complete = false; // the epoch asked for is not complete
+    if (!waiting.checked || !so_far.checks_pending)
+        so_far.complete = false; // the epoch asked for is not complete
     waiting.waiter(std::move(so_far));
 }
 

@@ -21,10 +21,12 @@ class SurfaceWaiters : public std::enable_shared_from_this<SurfaceWaiters> {
 
     /// Adds a waiter. `give_up` is called after `patience` and returns the state at that time. Error, by the
     /// waiter: OverLimit. Returns a ticket for forget(); 0 once the waiter has been called.
+    /// @param checked  waits for the checks too: SurfaceOutcome::checks_pending
     std::uint64_t add(std::uint32_t epoch,
                       std::chrono::milliseconds patience,
                       std::function<SurfaceOutcome()> give_up,
-                      Waiter waiter);
+                      Waiter waiter,
+                      bool checked = false);
 
     /// Answers all that wait for this epoch or an earlier one.
     void answer(std::uint32_t epoch, const core::Result<SurfaceOutcome>& outcome);
@@ -41,6 +43,7 @@ class SurfaceWaiters : public std::enable_shared_from_this<SurfaceWaiters> {
         Waiter waiter;
         std::function<SurfaceOutcome()> give_up;
         std::shared_ptr<void> timer;
+        bool checked;
     };
 
     void give_up(std::uint64_t id);

@@ -45,11 +45,14 @@ class PythonMethods:
         head = [*docstring([f"{GROUPS[name]}: methods of the server.", HEAD], ""), "from __future__ import annotations", ""]
         return "\n".join([*head, *self.imports(body, ["Noun"], "..."), *body]) + "\n"
 
+    def words_and_records(self, body):
+        """The words of the code, and the records among them."""
+        words = set(re.findall(r"\w+", re.sub(r'""".*?"""', "", "\n".join(body), flags=re.S)))
+        return words, sorted(name for name in self.types.records if name in words)
+
     def imports(self, body, of_call, dots):
-        code = "\n".join(body)
-        words = set(re.findall(r"\w+", re.sub(r'""".*?"""', "", code, flags=re.S)))
+        words, records = self.words_and_records(body)
         typing = [each for each in TYPING if each in words]
-        records = sorted(name for name in self.types.records if name in words)
         lines = wrapped("from typing import (", sorted(typing), ")") + [""] if typing else []
         lines.append(f"from {dots}api_base import {', '.join([*of_call, *(each for each in ('LEFT_OUT', 'LeftOut') if each in words)])}")
         lines.append(f"from {dots}names import named")
@@ -169,7 +172,7 @@ class PythonMethods:
                 "from __future__ import annotations", ""]
         names = ["Generic", "Literal", "Optional", "Sequence", "TypeVar", "Union"]
         head += ["from typing import " + ", ".join(["TYPE_CHECKING", *names]), "", "from ..names import named", "from ..plain import Json, Point",
-                 "from .records import SurfaceSetResult", "", "if TYPE_CHECKING:", "    from ..record import Record", "",
+                 *wrapped("from .records import (", self.words_and_records(body)[1], ")"), "", "if TYPE_CHECKING:", "    from ..record import Record", "",
                  'Made = TypeVar("Made")']
         head += wrapped("SETTABLE = (", [f'"{each.name}"' for each in fields], ")")
         return "\n".join([*head, *body]) + "\n"

@@ -76,15 +76,16 @@ void surface_wait(const Call& call, const protocol::SurfaceWait& of, Reply reply
                                       const auto still = weak.lock();
                                       return still ? status_json(*still, forecast) : json::object();
                                   });
-    const std::uint64_t ticket =
-        (*live)->wait(of.epoch.value_or((*live)->epoch()), std::chrono::milliseconds(of.timeout_ms),
-                      [waiting](const core::Result<SurfaceOutcome>& outcome) {
-                          waiting->progress.reset();
-                          if (outcome)
-                              waiting->reply.result(outcome_json(*outcome));
-                          else
-                              waiting->reply.fault(outcome.error());
-                      });
+    const std::uint64_t ticket = (*live)->wait(
+        of.epoch.value_or((*live)->epoch()), std::chrono::milliseconds(of.timeout_ms),
+        [waiting](const core::Result<SurfaceOutcome>& outcome) {
+            waiting->progress.reset();
+            if (outcome)
+                waiting->reply.result(outcome_json(*outcome));
+            else
+                waiting->reply.fault(outcome.error());
+        },
+        of.checked.value_or(false));
     waiting->cancelled.emplace(call.stop, [weak, ticket] {
         if (const auto still = weak.lock())
             still->forget(ticket);

@@ -170,4 +170,26 @@ TEST_F(StatedIntervals, AndTwinsOfOtherTimesSayWhyTheyAreNotCompared) {
               "the twin: the rake lies outside the domain by 3");
 }
 
+TEST_F(StatedIntervals, AreWaitedForByWhoAsksForThem) {
+    surface->rebuild(stored_job(core::SurfaceKind::Streak));
+    std::vector<SurfaceOutcome> complete, checked;
+    surface->wait(1, std::chrono::minutes(1),
+                  [&](const auto& outcome) { complete.push_back(outcome.value()); });
+    surface->wait(
+        1, std::chrono::minutes(1),
+        [&](const auto& outcome) { checked.push_back(outcome.value()); }, true);
+    while (complete.empty() && turn())
+        ;
+    EXPECT_TRUE(checked.empty());
+    settle();
+    ASSERT_EQ(checked.size(), 1U);
+    EXPECT_TRUE(checked[0].complete);
+    EXPECT_TRUE(checked[0].statistics.interval_error);
+    EXPECT_FALSE(complete[0].statistics.interval_error);
+    surface->wait(
+        1, std::chrono::minutes(1),
+        [&](const auto& outcome) { checked.push_back(outcome.value()); }, true);
+    EXPECT_EQ(checked.size(), 2U);
+}
+
 } // namespace wakesurf::server::stated_intervals_test

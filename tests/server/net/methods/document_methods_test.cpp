@@ -261,11 +261,10 @@ TEST_F(DocumentMethods, ATwinIsSetAloneKeptByOtherEditsAndTakenBack) {
     expected["rev"] = 2;
     expected["epoch"] = record()["epoch"];
     EXPECT_EQ(record(), expected);
-    http("surface.wait", {{"surface", surface}, {"timeoutMs", 30000}});
-    json stats;
-    do
-        stats = http("surface.stats", {{"surface", surface}})["result"];
-    while (stats.contains("intervalPending"));
+    const json waited =
+        http("surface.wait", {{"surface", surface}, {"timeoutMs", 30000}, {"checked", true}});
+    const json& stats = waited["result"];
+    EXPECT_FALSE(stats.contains("intervalPending"));
     EXPECT_NEAR(stats["twin"]["all"]["p50"], 0.25, 1e-4);
     EXPECT_EQ(stats["twin"]["all"]["compared"], 1.0);
 
