@@ -18,14 +18,18 @@ void add_row(NumberTable& table, SurfaceNumbers&& numbers) {
     table.notes.push_back(std::move(numbers.notes));
 }
 
-/// States the errors between stored times and measures. @param times  as of MeasuredSurface
+/// States the errors between stored times, or why they cannot be, and measures. @param times  as of MeasuredSurface
 Result<MeasuredSurface> measured(const SurfacePlan& plan,
                                  Surface& state,
                                  std::vector<double> times,
                                  const std::stop_token& stop,
                                  const WorkPart& work) {
-    if (auto stated = state_interval_errors(plan, state, stop, work); !stated)
-        return tl::unexpected(stated.error());
+    if (const auto stated = state_interval_errors(plan, state, stop, work); !stated) {
+        if (stop.stop_requested())
+            return tl::unexpected(stated.error());
+        state.mesh.interval_error.clear();
+        state.statistics.interval_left_out = stated.error().message;
+    }
     return MeasuredSurface::of(plan, state, std::move(times), stop, work);
 }
 

@@ -28,8 +28,9 @@ struct NumberTable {
 ///
 /// @param times    at least one, in the order in which the surface moves; of a stream surface `from` plus the age
 /// @param through  nothing: what needs a plane or a box is left out
-/// Error: as Evolution, MeasuredSurface and state_interval_errors. Cost: as the surface, that of stating its interval errors
-/// (of streak and time surfaces at each time) and of MeasuredSurface. The same numbers for any number of threads.
+/// Error: as Evolution and MeasuredSurface; where the errors between stored times cannot be estimated, the notes say why.
+/// Cost: as the surface, that of stating its interval errors (of streak and time surfaces at each time) and of
+/// MeasuredSurface. The same numbers for any number of threads.
 Result<NumberTable> numbers_over_time(SurfacePlan plan,
                                       std::span<const double> times,
                                       const std::optional<Region>& through,
