@@ -9,7 +9,7 @@ namespace {
 constexpr std::string_view description_begin =
     R"(<script type="application/json" id="description">)";
 constexpr std::string_view frames_begin = R"(<script type="text/plain" id="frames">)";
-constexpr std::string_view end = "</script>";
+constexpr std::string_view element_end = "</script>";
 
 /// Writes `<` of JSON as \u003c, which means the same there: no text then ends the element, or begins a
 /// comment in it.
@@ -28,7 +28,8 @@ std::string without_markup(std::string_view json) {
 std::size_t place_of(std::string_view viewer, std::string_view begin) {
     const std::size_t at = viewer.find(begin);
     const std::size_t content = at + begin.size();
-    const bool alone = at != std::string_view::npos && viewer.substr(content).starts_with(end) &&
+    const bool alone = at != std::string_view::npos &&
+                       viewer.substr(content).starts_with(element_end) &&
                        viewer.find(begin, content) == std::string_view::npos;
     return alone ? content : std::string_view::npos;
 }

@@ -128,7 +128,7 @@ std::vector<PlyElement> ply_elements(string_view header) {
         }
         at = line_end + 1;
         if (words.size() == 3 && words[0] == "element") {
-            out.push_back({std::string(words[1])});
+            out.emplace_back().name = words[1];
             std::from_chars(words[2].data(), words[2].data() + words[2].size(), out.back().count);
         } else if (words.size() == 3 && words[0] == "property" && !out.empty()) {
             out.back().properties.push_back({std::string(words[2]), number_type(words[1])});

@@ -59,7 +59,10 @@ std::string checksum_of(std::string_view json) {
 template <class Io>
 void members(Io& io, Of<Io, Recipe>& of) {
     // What a record limits more narrowly than the command line stands beside it.
-    SurfaceRecord surface{.surface = "s", .rake = "r", .parameters = of.parameters};
+    SurfaceRecord surface;
+    surface.surface = "s";
+    surface.rake = "r";
+    surface.parameters = of.parameters;
     surface.parameters.max_quads = 1;
     std::optional<RecipeRake> second;
     if (of.parameters.rake2) {
@@ -89,7 +92,9 @@ void members(Io& io, Of<Io, Recipe>& of) {
     io.some("step", of.step);
     io.some("coarse", of.coarse);
     io.some("unrepeatable", of.unrepeatable, {.hi = longest_name});
-    io.needed("mesh", of.mesh, {.hi = seal_length, .text = Text::Line});
+    io.some("mesh", of.mesh, {.hi = seal_length, .text = Text::Line});
+    io.some("shape", of.shape, {.hi = seal_length, .text = Text::Line});
+    io.some("rounding", of.rounding, {.hi = seal_length, .text = Text::Line});
     if constexpr (Io::reads) {
         const bool deformation = of.parameters.deformation;
         const bool tangents = of.parameters.tangents;

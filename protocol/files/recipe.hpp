@@ -33,7 +33,9 @@ struct Recipe {
     bool step = false;          ///< one of a series of times, in which stream surfaces grow as well
     bool coarse = false;        ///< of an early pass
     std::string unrepeatable{}; ///< why making it again leads to something else; usually empty
-    std::string mesh{};         ///< SHA-256 of the surface, 64 hexadecimal digits
+    std::string mesh{};         ///< of a mesh file: SHA-256 of the surface, 64 hexadecimal digits
+    std::string shape{};        ///< of a picture: the mark of what it shows, 32 digits
+    std::string rounding{};     ///< the mark of how the machine's mathematical functions round
 
     bool operator==(const Recipe&) const = default;
 };
@@ -41,7 +43,7 @@ struct Recipe {
 /// The length of a seal: the SHA-256 of the file in which the seal itself is zeros.
 inline constexpr std::size_t seal_length = 64;
 
-/// Returns `wakesurf-recipe:`, a seal of zeros, the checksum of the rest and the rest in base64, and a full stop. About 1.3 kB; of it a
+/// Returns `wakesurf-recipe:`, a seal of zeros, the checksum of the rest and the rest in base64, and a full stop. 0.9 kB for a rake of two points; a
 /// point of the rake takes up to 80 bytes.
 std::string recipe_text(const Recipe& recipe);
 

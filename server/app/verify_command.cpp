@@ -1,15 +1,15 @@
-#include "core/surface/builder/vertex_attributes.hpp"
-#include "core/surface/level/level_surface.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/files/file_difference.hpp"
+#include "protocol/files/mesh_file.hpp"
 #include "protocol/files/recipe.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/name_mapping.hpp"
 #include "server/app/progress_line.hpp"
+#include "server/app/recipe_data.hpp"
+#include "server/app/shown_surfaces.hpp"
 #include "server/app/stop_tokens.hpp"
 #include "server/base/process_account.hpp"
-#include "server/data/surface_scalars.hpp"
 #include "server/live/surface_file.hpp"
 #include "store/command/memory_size.hpp"
 
@@ -44,7 +44,8 @@ core::Result<std::string> read_file(const std::string& name) {
 
 /// Returns the data to open: a file names none but built-in flows, as a stranger may have written it.
 core::Result<std::string> data_for(const VerifyOptions& options, const protocol::Recipe& recipe) {
-    if (!options.dataset.empty())
+    // Beside a dataset, a picture may show surfaces of flows.
+    if (!options.dataset.empty() && (recipe.flow.empty() || !recipe.format.empty()))
         return options.dataset;
     if (!recipe.flow.empty())
         return "flow:" + recipe.flow;
@@ -53,60 +54,15 @@ core::Result<std::string> data_for(const VerifyOptions& options, const protocol:
                       "name the data: wakesurf verify " + options.file + " DATA");
 }
 
-/// Says how the data are others than those of the recipe; empty: they are the same.
-std::string data_difference(const LoadedDataset& dataset, const protocol::Recipe& recipe) {
-    const auto known = [](const std::string& flow) {
-        return flow.empty() ? "stored data" : "flow:" + flow;
-    };
-    if (dataset.flow_text != recipe.flow)
-        return fmt::format("the file was made from {}, not from {}", known(recipe.flow),
-                           known(dataset.flow_text));
-    if (!dataset.store || !dataset.store->contradicts(recipe.values))
-        return {};
-    const auto other = [&](std::size_t word) {
-        std::string_view rest = recipe.values;
-        for (; word > 0 && !rest.empty(); --word)
-            rest.remove_prefix(std::min(rest.find(' ') + 1, rest.size()));
-        return dataset.store->contradicts(std::string(rest.substr(0, rest.find(' '))));
-    };
-    return other(0)   ? "they have another grid or other fields, or are stored in another way"
-           : other(1) ? "they have other values, from the first time-step on"
-                      : "they have other values in a later time-step";
-}
-
-core::Result<core::SurfacePlan> planned_again(const protocol::Recipe& recipe,
-                                              const LoadedDataset& dataset) {
-    auto plan = core::plan_surface(dataset.flow, recipe.rake, recipe.parameters);
-    if (!plan)
-        return plan;
-    if (auto there = core::take_levels(*plan, dataset.levels); !there)
-        return tl::unexpected(there.error());
-    std::vector<std::string> fields = recipe.fields;
-    std::erase_if(fields, core::is_twin_name);
-    if (auto known = check_fields(dataset, fields); !known)
-        return tl::unexpected(known.error());
-    return plan;
-}
-
-core::Result<SurfaceFile> made_again(const VerifyOptions& options,
-                                     const protocol::FoundRecipe& found,
-                                     const LoadedDataset& dataset,
-                                     const core::MemoryAccount& account,
-                                     const std::stop_token& stop) {
-    const auto plan = planned_again(found.recipe, dataset);
-    if (!plan)
-        return tl::unexpected(plan.error());
-    const ElapsedLine progress("building the surface again");
+/// Calls `build` with as many threads as the options say.
+template <class Build>
+auto on_threads(const VerifyOptions& options, const Build& build) {
     const int used = options.threads > 0 ? options.threads
                                          : static_cast<int>(std::thread::hardware_concurrency());
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(used));
     tbb::task_arena arena(used);
-    auto share = account.open(core::MemoryUse::Downloads);
-    return arena.execute([&] {
-        return make_surface_file(found.recipe, *plan, dataset, stop,
-                                 {&account, &share, std::chrono::seconds(1)}, found.text);
-    });
+    return arena.execute(build);
 }
 
 /// Prints what the file says it is.
@@ -120,14 +76,27 @@ void tell_recipe(const std::string& file, const protocol::Recipe& recipe) {
              WAKESURF_VERSION);
 }
 
+/// Says why another result need not be the fault of the file.
+void tell_machine(const protocol::Recipe& recipe) {
+    if (!recipe.rounding.empty() && recipe.rounding != rounding_mark())
+        tell("the machines differ: sines and powers round in another way here than where it was "
+             "written, so the last digits of a surface may differ\n");
+}
+
 /// Compares, prints the verdict, and returns the exit status.
 int tell_verdict(const std::string& file,
                  const protocol::FoundRecipe& found,
-                 const SurfaceFile& made,
+                 SurfaceFile made,
                  bool sealed) {
     const bool same_mesh = made.mesh == found.recipe.mesh;
-    const auto difference =
+    // Any other byte makes another seal, which stands before most of them.
+    const std::size_t seal = found.seal_begin();
+    const bool same_seal = made.bytes.compare(seal, found.seal.size(), found.seal) == 0;
+    made.bytes.replace(seal, found.seal.size(), found.seal);
+    auto difference =
         protocol::first_difference(*protocol::mesh_format(found.recipe.format), file, made.bytes);
+    if (difference.what.empty() && !difference.recompressed && !same_seal)
+        difference.what = "its seal is another";
     if (difference.what.empty() && same_mesh && (sealed || !difference.recompressed)) {
         tell("verified: {}\n", difference.recompressed
                                    ? "the same values; another zlib compresses them otherwise"
@@ -144,26 +113,19 @@ int tell_verdict(const std::string& file,
                              "was written");
     if (sealed)
         tell("the file agrees with its own seal\n");
+    if (!same_mesh)
+        tell_machine(found.recipe);
     return differs;
 }
 
-core::Result<int> verify(const VerifyOptions& options, const std::stop_token& stop) {
-    const auto file = read_file(options.file);
-    if (!file)
-        return tl::unexpected(file.error());
-    const auto all = protocol::find_recipes(*file);
-    if (all.sound.empty() && all.damaged > 0) {
-        tell("{}\ndiffers: its recipe is damaged\n", options.file);
-        return differs;
-    }
-    if (all.sound.empty())
-        return core::fail(Error::Code::InvalidArgument, options.file + " has no recipe",
-                          "files that wakesurf wrote before it had recipes, or that other programs "
-                          "have saved again, cannot be verified");
-    const protocol::FoundRecipe& found = all.sound.front();
+/// Verifies a file of a mesh, or of lines.
+core::Result<int> verify_mesh(const VerifyOptions& options,
+                              const std::string& file,
+                              const protocol::FoundRecipe& found,
+                              const std::stop_token& stop) {
     const protocol::Recipe& recipe = found.recipe;
     tell_recipe(options.file, recipe);
-    const bool sealed = seal_holds(*file, found);
+    const bool sealed = seal_holds(file, found);
     if (!recipe.unrepeatable.empty()) {
         tell("it cannot be made again: {}\n{}\n", recipe.unrepeatable,
              sealed ? "the file agrees with its own seal"
@@ -182,8 +144,76 @@ core::Result<int> verify(const VerifyOptions& options, const std::stop_token& st
         tell("the data differ: {}\n", other);
         return differs;
     }
-    return made_again(options, found, *dataset, process.account(), stop)
-        .map([&](const SurfaceFile& made) { return tell_verdict(*file, found, made, sealed); });
+    const auto plan = plan_of(recipe, *dataset);
+    if (!plan)
+        return tl::unexpected(plan.error());
+    const ElapsedLine progress("building the surface again");
+    auto share = process.account().open(core::MemoryUse::Downloads);
+    return on_threads(options,
+                      [&] {
+                          return make_surface_file(
+                              recipe, *plan, *dataset, stop,
+                              {&process.account(), &share, std::chrono::seconds(1)}, found.text);
+                      })
+        .map(
+            [&](SurfaceFile&& made) { return tell_verdict(file, found, std::move(made), sealed); });
+}
+
+/// Verifies the surfaces of a picture or a film.
+core::Result<int> verify_picture(const VerifyOptions& options,
+                                 const protocol::FoundRecipes& found,
+                                 const std::stop_token& stop) {
+    const ProcessAccount process(options.memory);
+    int status = found.damaged > 0 ? differs : 0;
+    if (found.damaged > 0)
+        tell("{}\ndiffers: {} of the recipes in it are damaged\n", options.file, found.damaged);
+    for (const ShownSurface& each : shown_surfaces(found.sound)) {
+        tell_recipe(options.file, each.recipe);
+        const auto data = data_for(options, each.recipe);
+        if (!data)
+            return tl::unexpected(data.error());
+        const auto dataset =
+            open_for_command(*data, options.store, options.taken, process.account(), stop);
+        if (!dataset)
+            return tl::unexpected(dataset.error());
+        if (const std::string other = data_difference(*dataset, each.recipe); !other.empty()) {
+            tell("the data differ: {}\n", other);
+            status = differs;
+            continue;
+        }
+        const ElapsedLine progress("building the surface again");
+        const auto others = on_threads(
+            options, [&] { return times_that_differ(each, *dataset, process.account(), stop); });
+        if (!others)
+            return tl::unexpected(others.error());
+        if (others->empty())
+            continue;
+        tell("differs: another surface was shown at {} of {} times, the first one {}\n",
+             others->size(), each.states.size(), others->front());
+        tell_machine(each.recipe);
+        status = differs;
+    }
+    if (status == 0)
+        tell("verified: the surfaces that are shown; colours, view and pixels are not compared\n");
+    return status;
+}
+
+core::Result<int> verify(const VerifyOptions& options, const std::stop_token& stop) {
+    const auto file = read_file(options.file);
+    if (!file)
+        return tl::unexpected(file.error());
+    const auto found = protocol::find_recipes(*file);
+    if (found.sound.empty() && found.damaged > 0) {
+        tell("{}\ndiffers: its recipe is damaged\n", options.file);
+        return differs;
+    }
+    if (found.sound.empty())
+        return core::fail(Error::Code::InvalidArgument, options.file + " has no recipe",
+                          "files that wakesurf wrote before it had recipes, or that other programs "
+                          "have saved again, cannot be verified");
+    const bool mesh = protocol::mesh_format(found.sound.front().recipe.format).has_value();
+    return mesh ? verify_mesh(options, *file, found.sound.front(), stop)
+                : verify_picture(options, found, stop);
 }
 
 } // namespace

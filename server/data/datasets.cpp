@@ -16,7 +16,7 @@ core::Result<OpenDataset> CatalogueDatasets::open(const std::string& id) const {
             loaded->info,  protocol::lattice_over(loaded->info.bounds, loaded->info.periodic),
             loaded->flow,  loaded->cache,
             loaded->store, loaded->scalars,
-            loaded->levels};
+            loaded->levels, loaded->flow_text};
     });
 }
 

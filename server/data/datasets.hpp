@@ -25,6 +25,7 @@ struct OpenDataset {
     std::shared_ptr<const store::StoreReader> store{};    ///< null for a built-in flow
     std::shared_ptr<const store::StoreScalars> scalars{}; ///< of the store; likewise
     std::shared_ptr<const core::LevelSource> levels{};    ///< the same
+    std::string flow_text{}; ///< of a built-in flow, behind `flow:`; empty: a store
 };
 
 /// Loop thread only; nothing here waits for a disk.

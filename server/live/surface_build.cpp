@@ -10,6 +10,7 @@
 #include "server/base/limits.hpp"
 #include "server/base/log_text.hpp"
 #include "server/live/announced_ranges.hpp"
+#include "server/live/surface_file.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -397,6 +398,8 @@ core::Result<Update> SurfaceBuild::encode(Shown& shown, const SurfacePass& pass)
     update.wire = std::move(*encoded);
     update.statistics = shown.statistics;
     update.time = time;
+    if (pass.phase == Phase::Final)
+        update.shape = shape_mark(shown.mesh.mesh);
     return update;
 }
 

@@ -12,7 +12,11 @@
 #include "server/base/sha256.hpp"
 #include "server/data/surface_scalars.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
@@ -21,13 +25,71 @@ namespace wakesurf::server {
 
 using core::Error;
 
-protocol::Recipe recipe_of(const core::SurfacePlan& plan, const LoadedDataset& dataset) {
+protocol::Recipe recipe_of(const core::SurfacePlan& plan, RecipeData data) {
     return {.version = WAKESURF_VERSION,
-            .dataset = dataset.info.dataset,
-            .flow = dataset.flow_text,
-            .values = values_of(dataset),
+            .dataset = std::move(data.dataset),
+            .flow = std::move(data.flow),
+            .values = std::move(data.values),
             .rake = plan.rake,
-            .parameters = plan.parameters};
+            .parameters = plan.parameters,
+            .rounding = rounding_mark()};
+}
+
+protocol::Recipe recipe_of(const core::SurfacePlan& plan, const LoadedDataset& dataset) {
+    return recipe_of(plan, RecipeData{dataset.info.dataset, dataset.flow_text, values_of(dataset)});
+}
+
+namespace {
+
+std::uint64_t mixed(std::uint64_t so_far, std::uint64_t word) { // splitmix64
+    std::uint64_t x = (so_far ^ word) + 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+std::uint64_t mixed(std::uint64_t so_far, double number) {
+    return mixed(so_far, std::bit_cast<std::uint64_t>(number));
+}
+
+std::string rounding_here() {
+    constexpr int samples = 200;             // of each function a few in a thousand round otherwise
+    const volatile double unit = 1.0 / 16.1; // the compiler computes nothing of it
+    std::uint64_t sum = 0;
+    for (int k = 1; k <= samples; ++k) {
+        const double x = k * unit;
+        for (const double value :
+             {std::sin(x), std::cos(x), std::tan(x), std::exp(-x), std::log(x), std::pow(x, 0.2),
+              std::acos(x / 13), std::atan2(x, 3.0), std::cbrt(x), std::tanh(x / 4)})
+            sum = mixed(sum, value);
+    }
+    return fmt::format("{:016x}", sum);
+}
+
+} // namespace
+
+const std::string& rounding_mark() {
+    static const std::string here = rounding_here();
+    return here;
+}
+
+std::string shape_mark(const core::QuadComplex& mesh) {
+    std::vector<std::uint64_t> vertex(mesh.vertices());
+    for (std::size_t v = 0; v < vertex.size(); ++v)
+        for (const double number :
+             {mesh.position[v].x, mesh.position[v].y, mesh.position[v].z, mesh.s[v], mesh.t[v]})
+            vertex[v] = mixed(vertex[v], number);
+    std::uint64_t one = mesh.cells.size();
+    std::uint64_t other = mesh.vertices();
+    for (const core::Cell& cell : mesh.cells) {
+        std::uint64_t sum = 0;
+        for (const auto& four : {cell.corner, cell.mid})
+            for (const core::VertexId v : four)
+                sum = mixed(sum, v == core::no_vertex ? std::uint64_t{1} : vertex[v]);
+        one += sum;
+        other += mixed(sum, std::uint64_t{2});
+    }
+    return fmt::format("{:016x}{:016x}", one, other);
 }
 
 namespace {

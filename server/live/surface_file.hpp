@@ -19,8 +19,24 @@
 
 namespace wakesurf::server {
 
-/// Returns the recipe of a file of the whole mesh at the surface's end; the caller says how its file differs from that.
+/// The data of a recipe.
+struct RecipeData {
+    std::string dataset; ///< its name in files
+    std::string flow;    ///< LoadedDataset::flow_text
+    std::string values;  ///< values_of
+};
+
+/// Returns the recipe of the surface at its end; the caller says what is made of it.
+protocol::Recipe recipe_of(const core::SurfacePlan& plan, RecipeData data);
 protocol::Recipe recipe_of(const core::SurfacePlan& plan, const LoadedDataset& dataset);
+
+/// Returns a mark of how this machine rounds sines, powers and the like. Libraries of mathematical functions differ in some of the last
+/// digits, also one from itself on processors without fused multiply and add; so then do surfaces.
+const std::string& rounding_mark();
+
+/// Returns a mark of a surface's cells by their vertices' places, s and t: the same in whatever order vertices and cells come, as that
+/// depends on the times at which a moving surface was shown before. It is no protection against forgery. Cost: 5 ms for 100,000 cells.
+std::string shape_mark(const core::QuadComplex& mesh);
 
 /// Returns the digest of a surface: of its vertices with all their arrays, its cells, and the fields by name. Cost: 0.1 s for a million
 /// vertices on processors with instructions for SHA-256, else 0.4 s.

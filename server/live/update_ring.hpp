@@ -17,6 +17,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace wakesurf::server {
@@ -30,6 +31,7 @@ struct Update {
     protocol::EncodedUpdate wire;
     core::SurfaceStatistics statistics;
     double time = 0.0;    ///< simulation time shown
+    std::string shape{};  ///< shape_mark of a final state
     double seconds = 0.0; ///< to build and encode
     PassSeconds took;
     ValueRanges ranges;

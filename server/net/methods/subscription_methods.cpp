@@ -1,7 +1,10 @@
-// surface.stats, .subscribe, .unsubscribe, frame.ack: what viewers of a surface ask of it.
+// surface.stats, .recipe, .subscribe, .unsubscribe, frame.ack: what viewers of a surface ask of it.
+#include "core/surface/playback/evolution.hpp"
 #include "protocol/api/generated/limits.hpp"
 #include "protocol/api/generated/subscription.hpp"
+#include "protocol/files/recipe.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
+#include "server/live/surface_file.hpp"
 #include "server/net/methods/caller.hpp"
 #include "server/net/methods/dataset_answers.hpp"
 #include "server/net/methods/method.hpp"
@@ -29,6 +32,36 @@ void surface_stats(const Call& call, const protocol::SurfaceStats& of, Reply rep
     if (!live)
         return reply.fault(live.error());
     reply.result(outcome_json((*live)->outcome()));
+}
+
+/// What the newest state was made from, if that is final.
+void surface_recipe(const Call& call, const protocol::SurfaceRecipe& of, Reply reply) {
+    const auto live = find_live(call, of.session, of.surface);
+    if (!live)
+        return reply.fault(live.error());
+    const SurfaceOutcome outcome = (*live)->outcome();
+    if (outcome.error)
+        return reply.fault(*outcome.error);
+    const SharedUpdate newest = (*live)->newest();
+    if (!newest || newest->shape.empty())
+        return reply.fault(core::Error{core::Error::Code::NotFound,
+                                       "the newest state of " + of.surface + " is not final",
+                                       "call `surface.wait` first"});
+    const SurfaceJob& job = (*live)->wanted();
+    const auto record = choose_session(call, of.session).and_then([&](const auto& session) {
+        return session->records().template get<protocol::SurfaceRecord>(of.surface);
+    });
+    const auto data = record.and_then(
+        [&](const auto& found) { return call.context.datasets.open(found.dataset); });
+    if (!data)
+        return reply.fault(data.error());
+    protocol::Recipe recipe =
+        recipe_of(job.plan, RecipeData{data->info.dataset, data->flow_text,
+                                       job.store ? job.store->values() : std::string()});
+    if (core::moves(recipe.parameters))
+        recipe.time = newest->time;
+    recipe.shape = newest->shape;
+    reply.result({{"recipe", protocol::recipe_text(recipe)}, {"stateSum", newest->wire.state_sum}});
 }
 
 protocol::RpcFault no_subscription() {
@@ -100,8 +133,8 @@ void surface_ack(const Call& call, const protocol::FrameAck& of, Reply reply) {
 } // namespace
 
 std::vector<Method> subscription_methods() {
-    return {method(surface_stats), method(surface_subscribe), method(surface_unsubscribe),
-            method(surface_ack)};
+    return {method(surface_stats), method(surface_recipe), method(surface_subscribe),
+            method(surface_unsubscribe), method(surface_ack)};
 }
 
 } // namespace wakesurf::server

@@ -230,4 +230,27 @@ TEST(SurfaceFile, ChangesItsDigestWithEveryValueOfTheSurface) {
     EXPECT_EQ(all.size(), 6u);
 }
 
+TEST(SurfaceFile, HasAMarkOfItsShapeThatIsTheSameInAnyOrderOfVerticesAndCells) {
+    const core::QuadComplex mesh = tests::small_mesh();
+    core::QuadComplex turned = mesh; // vertex v becomes 7 - v
+    const auto other = [](core::VertexId v) { return v == core::no_vertex ? v : 7 - v; };
+    for (core::VertexId v = 0; v < 8; ++v) {
+        turned.position[other(v)] = mesh.position[v];
+        turned.s[other(v)] = mesh.s[v];
+        turned.t[other(v)] = mesh.t[v];
+    }
+    for (core::Cell& cell : turned.cells)
+        for (std::size_t i = 0; i < 4; ++i) {
+            cell.corner[i] = other(cell.corner[i]);
+            cell.mid[i] = other(cell.mid[i]);
+        }
+    std::swap(turned.cells[0], turned.cells[2]);
+    EXPECT_EQ(shape_mark(turned), shape_mark(mesh));
+    turned.position[3].x += 1e-15;
+    EXPECT_NE(shape_mark(turned), shape_mark(mesh));
+    core::QuadComplex torn = mesh;
+    torn.cells.pop_back();
+    EXPECT_NE(shape_mark(torn), shape_mark(mesh));
+}
+
 } // namespace wakesurf::server::surface_file_test
