@@ -152,7 +152,7 @@ function start(app: App): void {
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
     const events = new ServerEvents({ state, feed, outcomes, people, progress, families, dataset, controller });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
-    const figure = new Figure(scene, findBar);
+    const figure = new Figure(scene, findBar, { state, worker });
     const film = new FilmMaker({ state, view, worker, edits, playback, bodyFlow, figure });
     const mesh = new MeshDownload(server);
     scene.loop.beforeFrame(() => edits.flush());

@@ -9,6 +9,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { attributesOf } from '../picture/surfaceStyleOf.ts';
 import { clampTo, type Span } from '../time/timeSteps.ts';
+import { type RecipeSource, shownRecipes } from './recipes.ts';
 
 export class Figure {
     readonly background = signal<FigureBackground>('shown');
@@ -21,11 +22,18 @@ export class Figure {
     barLeftOut = false;
     private readonly scene: FlowScene;
     private readonly findBar: () => HTMLElement | null;
+    private readonly source: RecipeSource;
 
     /** `findBar`: the scalar bar that lies over the picture. */
-    constructor(scene: FlowScene, findBar: () => HTMLElement | null) {
+    constructor(scene: FlowScene, findBar: () => HTMLElement | null, source: RecipeSource) {
         this.scene = scene;
         this.findBar = findBar;
+        this.source = source;
+    }
+
+    /** Returns the recipes of what has just been drawn. */
+    recipes(): Promise<string[]> {
+        return shownRecipes(this.source);
     }
 
     /** Returns the size of the picture on the page, in pixels of the screen. */

@@ -86,6 +86,7 @@ export class FilmMaker {
         this.progress.value = { state: 'recording', done: 0, frames: times.length, words: '' };
         let encoding: VideoEncoding | null = null;
         let begun = false;
+        const recipes = new Set<string>();
         try {
             encoding = await VideoEncoding.begin({ ...size, fps: setting.fps });
             if (encoding === null) return this.fail('This browser cannot record at this size. Choose a smaller size.');
@@ -97,10 +98,13 @@ export class FilmMaker {
                 await this.show(time);
                 const background = figure.background.value === 'clear' ? 'white' : figure.background.value;
                 const caption = setting.time ? `t = ${withUnit(timeText(state, playback.time.value), setting.unit)}` : null;
-                await encoding.add(figure.draw(size, caption, background));
+                const picture = figure.draw(size, caption, background);
+                const shown = figure.recipes();
+                await encoding.add(picture);
+                for (const recipe of await shown) recipes.add(recipe);
                 this.progress.value = { ...this.progress.value, done: i + 1 };
             }
-            const film = await encoding.finish();
+            const film = await encoding.finish([...recipes]);
             this.progress.value = idle;
             return film;
         } catch (error) {

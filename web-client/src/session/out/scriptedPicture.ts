@@ -7,6 +7,7 @@ import type { LatencyLog } from '../../state/latency.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { type Figure, unfinishedSurface } from './figure.ts';
 import type { BodyFlow } from '../picture/bodyFlow.ts';
+import { addressWith } from './recipes.ts';
 
 export interface ScriptedSetting {
     width: number;
@@ -54,7 +55,7 @@ export interface ScriptedPage {
     readonly parts: PageParts;
     unfinished(time: number | null): string;
     /** Returns a PNG as an address of data. Error: in words. */
-    picture(setting: ScriptedSetting): string;
+    picture(setting: ScriptedSetting): Promise<string>;
     /** Whether the last picture had no room for the scalar bar. */
     readonly barLeftOut: boolean;
 }
@@ -64,11 +65,12 @@ export function scriptedPage(parts: PageParts): ScriptedPage {
     return {
         parts,
         unfinished: (time) => unfinished(state, view, bodyFlow, time),
-        picture: ({ width, height, background, caption, bar, axes, rake }) => {
+        picture: async ({ width, height, background, caption, bar, axes, rake }) => {
             figure.bar.value = bar;
             figure.axes.value = axes;
             figure.rake.value = rake;
-            return figure.draw({ width, height }, caption, background).toDataURL('image/png');
+            const drawn = figure.draw({ width, height }, caption, background);
+            return addressWith(await figure.recipes(), drawn.toDataURL('image/png'));
         },
         get barLeftOut() {
             return figure.barLeftOut;

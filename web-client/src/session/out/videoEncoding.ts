@@ -80,7 +80,8 @@ export class VideoEncoding {
         this.demandRunning();
     }
 
-    async finish(): Promise<Blob> {
+    /** `recipes`: of all surfaces in it. */
+    async finish(recipes: readonly string[] = []): Promise<Blob> {
         this.demandRunning();
         await this.encoder.flush().catch((error: unknown) => {
             throw this.failure ?? error;
@@ -88,7 +89,7 @@ export class VideoEncoding {
         this.demandRunning();
         this.encoder.close();
         const { width, height } = this.setting;
-        return (await import('./webm.ts')).webmFile({ ...this.codec, width, height, frames: this.frames });
+        return (await import('./webm.ts')).webmFile({ ...this.codec, width, height, frames: this.frames, recipes });
     }
 
     abandon(): void {

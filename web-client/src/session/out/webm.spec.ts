@@ -34,6 +34,17 @@ describe('a WebM file', () => {
         expect(Math.abs((await input.getDurationFromMetadata())! - frames.length / fps)).toBeLessThan(0.001);
     });
 
+    it('has the recipes of its surfaces as they are, and plays as without them', async () => {
+        const recipes = ['wakesurf-recipe:abc=.', 'wakesurf-recipe:def.'];
+        const film = { codec: 'vp9', codecString: 'vp09.00.41.08', width: 640, height: 360, frames } as const;
+        const blob = await webmFile({ ...film, recipes });
+        expect(await blob.text()).toContain(recipes.join('\n'));
+        const input = new Input({ source: new BlobSource(blob), formats: ALL_FORMATS });
+        expect((await input.getMetadataTags()).comment).toBe(recipes.join('\n'));
+        const sink = new EncodedPacketSink((await input.getPrimaryVideoTrack())!);
+        expect((await sink.getKeyPacket(2.5, { verifyKeyPackets: true }))?.timestamp).toBe(2);
+    });
+
     it('tells players where the key frames are', async () => {
         const { track } = await written();
         const sink = new EncodedPacketSink(track);

@@ -16,13 +16,16 @@ export interface Film {
     width: number;
     height: number;
     frames: readonly EncodedFrame[];
+    /** Of the surfaces in it: a comment in the file. */
+    recipes?: readonly string[];
 }
 
 /** Frames are in order of time; the first is a key frame. */
-export async function webmFile({ codec, codecString, width, height, frames }: Film): Promise<Blob> {
+export async function webmFile({ codec, codecString, width, height, frames, recipes = [] }: Film): Promise<Blob> {
     const output = new Output({ format: new WebMOutputFormat(), target: new BufferTarget() });
     const track = new EncodedVideoPacketSource(codec);
     output.addVideoTrack(track);
+    if (recipes.length > 0) output.setMetadataTags({ comment: recipes.join('\n') });
     await output.start();
     const decoderConfig = { codec: codecString, codedWidth: width, codedHeight: height };
     for (const { data, time, duration, key } of frames) {

@@ -6,6 +6,7 @@ import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
 import { coarseCaption, pictureIsCoarse, timeInName } from '../../session/out/exportNames.ts';
 import type { Figure } from '../../session/out/figure.ts';
 import { type FilmMaker, type FilmProgress, maxFrames, frameTimes } from '../../session/out/film.ts';
+import { pngWith } from '../../session/out/recipes.ts';
 import { canEncode } from '../../session/out/videoEncoding.ts';
 import { timeText, timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Playback } from '../../session/time/playback.ts';
@@ -70,11 +71,12 @@ export class PictureExport extends ModelElement<PictureExportModel> {
         try {
             const coarse = pictureIsCoarse(state);
             const picture = figure.draw(size, coarse && figure.coarse.value ? coarseCaption : null);
-            const file = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
-            if (file === null) throw new Error('This browser does not have enough memory for a picture of this size.');
+            const recipes = await figure.recipes();
+            const drawn = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
+            if (drawn === null) throw new Error('This browser does not have enough memory for a picture of this size.');
             if (figure.barLeftOut) this.fault.value = 'The picture is too small for the scalar bar, which is left out.';
             saveFile(
-                file,
+                pngWith(recipes, drawn),
                 fileName(
                     state.dataset.value?.name,
                     `${timeInName(shownTime(state))}${coarse ? '-coarse' : ''}-${size.width}x${size.height}.png`,
