@@ -13,9 +13,9 @@ std::vector<std::string> CatalogueDatasets::ids() const {
 core::Result<OpenDataset> CatalogueDatasets::open(const std::string& id) const {
     return catalogue_.find(id).map([](const std::shared_ptr<const LoadedDataset>& loaded) {
         return OpenDataset{
-            loaded->info,  protocol::lattice_over(loaded->info.bounds, loaded->info.periodic),
-            loaded->flow,  loaded->cache,
-            loaded->store, loaded->scalars,
+            loaded->info,   protocol::lattice_over(loaded->info.bounds, loaded->info.periodic),
+            loaded->flow,   loaded->cache,
+            loaded->store,  loaded->scalars,
             loaded->levels, loaded->flow_text};
     });
 }

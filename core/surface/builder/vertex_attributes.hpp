@@ -21,6 +21,7 @@ inline constexpr std::string_view interval_error_name = "interval_error";
 /// Of a surface that is compared with a twin.
 inline constexpr std::string_view twin_distance_name = "twin_distance";
 inline constexpr std::string_view twin_lag_name = "twin_lag";
+
 inline bool is_twin_name(std::string_view name) {
     return name == twin_distance_name || name == twin_lag_name;
 }

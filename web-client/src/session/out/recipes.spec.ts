@@ -12,7 +12,7 @@ const bytesOf = (base64: string): Uint8Array<ArrayBuffer> => Uint8Array.from(ato
 function chunks(file: Uint8Array): { type: string; data: string; sound: boolean }[] {
     const view = new DataView(file.buffer);
     const out = [];
-    for (let at = 8; at < file.length; ) {
+    for (let at = 8; at < file.length;) {
         const length = view.getUint32(at);
         const body = file.subarray(at + 4, at + 8 + length);
         const text = String.fromCharCode(...body);
