@@ -78,6 +78,7 @@ const std::map<std::string, Row> rows{
     {"surface.stop", {Role::Editor, About::Session}},
     {"surface.list", {Role::Viewer, About::Session}},
     {"surface.stats", {Role::Viewer, About::Session}},
+    {"surface.recipe", {Role::Viewer, About::Session}},
     {"surface.wait", {Role::Viewer, About::Session}},
     {"surface.subscribe", {Role::Viewer, About::Session}},
     {"surface.unsubscribe", {Role::Viewer, About::Nothing}},
