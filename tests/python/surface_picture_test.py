@@ -23,13 +23,15 @@ class SurfacePictureTest(FolderTest):
         return subprocess.run([BINARY, *words], capture_output=True, text=True, timeout=300, cwd=self.folder,
                               env=self.environment(**environment), check=False)
 
-    def test_is_as_large_as_asked_for_and_says_what_it_shows(self):
+    def test_is_as_large_as_asked_for_says_what_it_shows_and_verifies(self):
         ran = self.run_it(*SURFACE, "-o", self.path, "--size", "400x300", "--seeds", "12")
         self.assertEqual(ran.returncode, 0, ran.stderr)
         self.assertRegex(ran.stdout, r"a\.png: 400 x 300 pixels of \d+ quads, separation 0\.1\n$")
         with open(self.path, "rb") as file:
             head = file.read(24)
         self.assertEqual((head[:4], struct.unpack(">II", head[16:24])), (b"\x89PNG", (400, 300)))
+        verified = self.run_it("verify", self.path)
+        self.assertEqual((verified.returncode, verified.stdout.splitlines()[-1].split(";")[0]), (0, "verified: the surfaces that are shown"), verified)
         mesh = self.run_it(*SURFACE, "-o", os.path.join(self.folder, "a.vtp"), "--seeds", "12")
         self.assertEqual(ran.stdout.split()[6], mesh.stdout.split()[1], "as many quads as the mesh has")
 

@@ -39,6 +39,8 @@ std::size_t extra_bytes(const protocol::RakeRecord& record) {
 
 std::size_t extra_bytes(const protocol::SurfaceRecord& record) {
     std::size_t bytes = record.dataset.size();
+    if (record.twin && record.twin->dataset)
+        bytes += record.twin->dataset->size();
     for (const std::string& field : record.fields)
         bytes += sizeof(std::string) + field.size();
     return bytes;
