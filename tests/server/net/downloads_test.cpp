@@ -1,9 +1,11 @@
 // Whole meshes over HTTP, in every format, from the real program.
 #include "protocol/wire/lattice.hpp"
 #include "protocol/wire/mesh_decoder.hpp"
+#include "server/data/child_process.hpp"
 #include "store/store_generation.hpp"
 #include "tests/support/dequantise.hpp"
 #include "tests/support/mesh_readers.hpp"
+#include "tests/support/programs.hpp"
 #include "tests/support/server/server_process.hpp"
 #include "tests/support/server/websocket_client.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -12,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <fstream>
 #include <span>
 #include <string>
 #include <tuple>
@@ -113,6 +116,25 @@ protocol::WireMesh decoded(const std::string& body) {
 }
 
 } // namespace
+
+TEST_F(DownloadsTest, AreMadeAgainFromTheirRecipesByTheProgram) {
+    WebSocketClient client(*server_);
+    const std::string moving = make_moving(client);
+    const TemporaryFolder folder;
+    int count = 0;
+    const auto verified = [&](const std::string& surface, const std::string& file) {
+        const auto name = folder / (std::to_string(++count) + file.substr(4, 4));
+        std::ofstream(name, std::ios::binary) << get_of(surface, file).body;
+        const auto outcome = server::run_child(server_program(), {"verify", name.string()}, 0,
+                                               [](std::string_view) {}, {});
+        EXPECT_EQ(outcome->exit_status, 0) << surface << " " << file << outcome->errors;
+    };
+    for (const char* file : {"mesh.vtp", "mesh.glb?draco=false", "mesh.ply?tessellate=2",
+                             "mesh.obj", "mesh.drc", "mesh.vtp?lines=timelines:4"})
+        verified(surface_, file);
+    for (const char* file : {"mesh.vtp?time=0.7", "mesh.ply?time=end", "mesh.ply?now=true"})
+        verified(moving, file);
+}
 
 TEST_F(DownloadsTest, GiveEveryFormatItsTypeAndItsName) {
     const std::vector<std::pair<std::string, std::string>> types{
