@@ -160,6 +160,8 @@ def schema_of(hint: Any) -> Json:
         return {"type": "string", "enum": list(parts)}
     if origin is not None and parts and hint is not Any:
         return {"type": "array", "items": schema_of(parts[0])}
+    if hasattr(hint, "__required_keys__"):  # a TypedDict
+        return {"type": "object", "properties": {name: schema_of(each) for name, each in typing.get_type_hints(hint).items()}}
     return {"type": _TYPE_NAMES[hint]} if hint in _TYPE_NAMES else {}
 
 

@@ -177,12 +177,13 @@ TEST_F(FieldsOnTheWire, WhatCannotBeSentIsRefusedInWords) {
     EXPECT_EQ(error({"q"})["data"]["hint"],
               "there is p, heat flux magnitude, U, deformation, approximated, error, vorticity, "
               "vorticity_x, vorticity_y, vorticity_z, q_criterion, velocity_x, velocity_y, "
-              "velocity_z, normal_x, normal_y, normal_z");
+              "velocity_z, normal_x, normal_y, normal_z, twin_distance, twin_lag");
     EXPECT_EQ(client.result("server.info")["limits"]["fields"], 5);
     EXPECT_EQ(client.result("dataset.describe", {{"dataset", "box"}})["surfaceFields"],
               (json{"p", "heat flux magnitude", "U", "deformation", "approximated", "error",
                     "vorticity", "vorticity_x", "vorticity_y", "vorticity_z", "q_criterion",
-                    "velocity_x", "velocity_y", "velocity_z", "normal_x", "normal_y", "normal_z"}));
+                    "velocity_x", "velocity_y", "velocity_z", "normal_x", "normal_y", "normal_z",
+                    "twin_distance", "twin_lag"}));
 }
 
 TEST_F(FieldsOnTheWire, ProgressSaysWhatEachPassTook) {
