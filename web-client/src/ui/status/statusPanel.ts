@@ -17,8 +17,10 @@ import type { WorkerClient } from '../../worker/workerClient.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { countWords, phaseWords } from '../base/words.ts';
 import { downloadMesh } from '../out/meshExport.ts';
-import '../surface/qualityPanel.ts';
-import './numbersPanel.ts';
+
+// Nobody needs these before the first picture.
+void import('./numbersPanel.ts');
+void import('../surface/qualityPanel.ts');
 
 export interface StatusModel {
     state: AppState;

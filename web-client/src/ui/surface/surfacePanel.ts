@@ -23,13 +23,15 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { isolated } from '../../state/announcements.ts';
 import { toggled } from '../../state/pageView.ts';
-import './meshRules.ts';
-import './twinPanel.ts';
 import { LevelRows } from './levelPanel.ts';
 import './timesPanel.ts';
 import { type Choice, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { unitOfDuration } from '../look/colourNames.ts';
+
+// Nobody needs these before the first picture.
+void import('./meshRules.ts');
+void import('./twinPanel.ts');
 
 /** Separation as a multiple of the finest spacing of the dataset's grid. */
 const separations = [
