@@ -22,6 +22,9 @@ constexpr double difference = 0.7;
 /// A part of the separation: what is nearer than that is resolved, whatever the ratio.
 constexpr double negligible = 1e-4;
 constexpr int rings = 2; ///< of cells round a vertex
+/// The part of the vertices that may be unresolved where an interval is advised. Up to it 24 of 25 pieces of advice for six
+/// closed forms led to half to twice the separation, and one to 2.3 times; at a part of 0.44 one led to 32 times.
+constexpr double most_unresolved = 0.18;
 /// What tracing takes, in bytes a vertex: places through five series, and numbers round each vertex.
 constexpr std::size_t traced_vertex_bytes = 260;
 
@@ -209,7 +212,7 @@ Result<void> state_interval_errors(const SurfacePlan& plan,
     double longest = 0.0;
     for (std::size_t i = 0; i + 1 < times.size(); ++i)
         longest = std::max(longest, times[i + 1] - times[i]);
-    if (error99 > 0.0 && unresolved < 0.5)
+    if (error99 > 0.0 && unresolved <= most_unresolved)
         statistics.advised_interval = longest * std::sqrt(statistics.separation / error99);
     return {};
 }

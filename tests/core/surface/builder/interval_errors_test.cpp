@@ -170,7 +170,7 @@ TEST(IntervalErrors, AreNoneWhereTheFlowIsLinearBetweenStoredTimes) {
 TEST(IntervalErrors, AdviseAnIntervalThatBringsThemToTheSeparation) {
     const SurfacePlan asked = plan(stored(oscillating, 32), SurfaceKind::Streak, 0.05);
     const auto advice = stated(asked).statistics.advised_interval;
-    ASSERT_TRUE(advice);
+    ASSERT_TRUE(advice) << stated(asked).statistics.interval_error->unresolved;
     const int intervals = static_cast<int>(std::lround(end / *advice));
     ASSERT_GE(intervals, 4);
     const SurfacePlan advised = plan(stored(oscillating, intervals), SurfaceKind::Streak, 0.05);
