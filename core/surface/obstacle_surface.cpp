@@ -3,6 +3,8 @@
 #include "core/field/advance_particles.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <unordered_map>
@@ -42,13 +44,16 @@ Vec3 kept_in(const Box& box, const Vec3& from, const Vec3& place) {
     return kept;
 }
 
-/// Returns the nearest place in the fluid, on either side. The edge of a body at the domain's border faces
+/// Returns the first place in the fluid, on either side. The edge of a body at the domain's border faces
 /// out of the domain.
-std::optional<Vec3> place_off_wall(const Flow& flow, const Vec3& at, const Vec3& normal) {
+std::optional<Vec3> place_off_wall(const Flow& flow,
+                                   const Vec3& at,
+                                   const Vec3& normal,
+                                   std::span<const double> distances) {
     const double length = glm::length(normal);
     if (!(length > 0.0))
         return std::nullopt;
-    for (const double distance : wall_distances) {
+    for (const double distance : distances) {
         const Vec3 off = normal * (distance * flow.finest_spacing() / length);
         for (const Vec3& way : {off, -off}) {
             const Vec3 place = kept_in(flow.domain(), at, at + way);
@@ -62,28 +67,42 @@ std::optional<Vec3> place_off_wall(const Flow& flow, const Vec3& at, const Vec3&
 
 } // namespace
 
-Result<void>
-add_wall_velocity(QuadComplex& wall, const Flow& flow, double time, std::stop_token stop) {
-    const std::size_t count = wall.vertices();
+Result<std::vector<Vec3>> places_off_wall(const QuadComplex& wall,
+                                          const Flow& flow,
+                                          std::span<const double> distances,
+                                          const std::stop_token& stop) {
     std::vector<Vec3> places = wall_normals(wall);
-    std::vector<std::uint8_t> nothing(count, 0);
+    const Vec3 nowhere(std::numeric_limits<double>::quiet_NaN());
     const bool whole = in_ranges(
-        count, stop,
+        places.size(), stop,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i != end; ++i) {
-                const auto found = place_off_wall(flow, wall.position[i], places[i]);
-                nothing[i] = found ? 0 : 1;
-                places[i] = found.value_or(wall.position[i]);
-            }
+            for (std::size_t i = begin; i != end; ++i)
+                places[i] =
+                    place_off_wall(flow, wall.position[i], places[i], distances).value_or(nowhere);
         },
         256);
     if (!whole)
         return fail(Error::Code::Cancelled, "looking at the wall was cancelled");
+    return places;
+}
+
+Result<void>
+add_wall_velocity(QuadComplex& wall, const Flow& flow, double time, std::stop_token stop) {
+    const std::size_t count = wall.vertices();
+    auto places = places_off_wall(wall, flow, wall_distances, stop);
+    if (!places)
+        return tl::unexpected(places.error());
+    std::vector<std::uint8_t> nothing(count, 0);
+    for (std::size_t i = 0; i < count; ++i)
+        if (std::isnan((*places)[i].x)) {
+            nothing[i] = 1;
+            (*places)[i] = wall.position[i];
+        }
     const std::vector<double> times(count, time);
     std::vector<Vec3> velocity(count);
-    if (auto sampled = flow.sample(places, times, velocity, stop); !sampled)
+    if (auto sampled = flow.sample(*places, times, velocity, stop); !sampled)
         return sampled;
-    if (auto marked = flow.mark_gaps(places, times, nothing, stop); !marked)
+    if (auto marked = flow.mark_gaps(*places, times, nothing, stop); !marked)
         return marked;
     wall.velocity.assign(count, Vec3f(0.0F));
     for (std::size_t i = 0; i < count; ++i)

@@ -12,7 +12,9 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <stop_token>
+#include <vector>
 
 namespace wakesurf::core {
 
@@ -36,11 +38,21 @@ QuadComplex wall_surface(const WallGeometry& walls);
 /// body.
 inline constexpr std::array<double, 3> wall_distances{0.25, 0.5, 1.0};
 
+/// The same beside walls between solid and fluid nodes: a whole spacing off, values come from nodes in the fluid,
+/// but for some hundredths in corners that face in.
+inline constexpr std::array<double, 3> mask_distances{1.0, 0.5, 0.25};
+
+/// Returns for each vertex of a wall the place in the fluid off it along the normal, whichever way the cells are
+/// turned; not a number without fluid near by. Error: Cancelled.
+Result<std::vector<Vec3>> places_off_wall(const QuadComplex& wall,
+                                          const Flow& flow,
+                                          std::span<const double> distances,
+                                          const std::stop_token& stop);
+
 /// Memory that add_wall_velocity takes beside the wall, a vertex.
 inline constexpr std::size_t wall_velocity_bytes = 120;
 
-/// Fills in the velocity of a wall's vertices at `time`: that of the fluid off the wall along the normal,
-/// whichever way the cells are turned; zero without fluid near by, and without a value in the data. s and t
+/// Fills in the velocity of a wall's vertices at `time`: that at places_off_wall; zero without fluid near by, and without a value in the data. s and t
 /// are 0. Cost: a sample and a few lookups of a place a vertex. Error: as Flow::sample.
 Result<void>
 add_wall_velocity(QuadComplex& wall, const Flow& flow, double time, std::stop_token stop);

@@ -36,12 +36,13 @@ bool component_here(const LoadedDataset& dataset, const std::string& name) {
 } // namespace
 
 core::Result<void> check_fields(const LoadedDataset& dataset,
-                                const std::vector<std::string>& fields) {
+                                const std::vector<std::string>& fields,
+                                std::string_view parameter) {
     const auto there = vertex_field_names(
         dataset.scalars ? dataset.scalars->names() : std::vector<std::string>(), dataset.info);
     for (const std::string& name : fields)
         if (std::ranges::find(there, name) == there.end())
-            return tl::unexpected(no_such_field("fields", name, there, dataset.info.fields));
+            return tl::unexpected(no_such_field(parameter, name, there, dataset.info.fields));
     return {};
 }
 

@@ -8,13 +8,16 @@
 
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::server {
 
 /// Checks the fields. Error: NotFound for fields that are neither stored nor derived, listing those that are.
+/// @param parameter  that names them
 core::Result<void> check_fields(const LoadedDataset& dataset,
-                                const std::vector<std::string>& fields);
+                                const std::vector<std::string>& fields,
+                                std::string_view parameter = "fields");
 
 /// Returns each named field, with a value a vertex, at the time in `times`. Names of the velocity,
 /// deformation, approximated and error are accepted: every export has them. Error: as check_fields and

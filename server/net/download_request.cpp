@@ -147,20 +147,24 @@ core::Result<DownloadRequest> read_download(std::string_view file,
     return out;
 }
 
-core::Result<std::optional<double>>
-read_obstacle_time(const std::map<std::string, std::string>& query) {
-    std::optional<double> time;
+core::Result<ObstacleRequest> read_obstacle(const std::map<std::string, std::string>& query) {
+    constexpr const char* usage = "?time=2.5 adds the velocity along it at that time, &field=p a "
+                                  "field as well; there is no other parameter";
+    ObstacleRequest asked;
     for (const auto& [name, value] : query) {
-        time = name == "time" ? finite_number(value) : std::nullopt;
-        if (!time)
+        if (name == "time")
+            asked.time = finite_number(value);
+        else if (name == "field")
+            asked.field = value;
+        else
             return fail(Error::Code::InvalidArgument,
-                        name == "time"
-                            ? "`time` is not a finite number"
-                            : "an obstacle has no parameter `" + name.substr(0, 64) + "`",
-                        "?time=2.5 adds the velocity along it at that time; there is no other "
-                        "parameter");
+                        "an obstacle has no parameter `" + name.substr(0, 64) + "`", usage);
+        if (name == "time" && !asked.time)
+            return fail(Error::Code::InvalidArgument, "`time` is not a finite number", usage);
     }
-    return time;
+    if (!asked.field.empty() && !asked.time)
+        return fail(Error::Code::InvalidArgument, "`field` needs a `time`", usage);
+    return asked;
 }
 
 core::Result<std::optional<double>> shown_at(const DownloadRequest& request,

@@ -39,9 +39,13 @@ core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
                                              const core::SurfaceParameters& parameters,
                                              std::optional<double> clock);
 
-/// Returns the time for the flow along a dataset's obstacle, as in obstacle.bin?time=2.5; empty: its shape
-/// alone. Error: InvalidArgument.
-core::Result<std::optional<double>>
-read_obstacle_time(const std::map<std::string, std::string>& query);
+/// What is asked for along a dataset's obstacle, as in obstacle.bin?time=2.5&field=p.
+struct ObstacleRequest {
+    std::optional<double> time; ///< of the velocity along it; empty: its shape alone
+    std::string field{};        ///< also along it, at that time; empty: none
+};
+
+/// Error: InvalidArgument, also for a field without a time.
+core::Result<ObstacleRequest> read_obstacle(const std::map<std::string, std::string>& query);
 
 } // namespace wakesurf::server

@@ -6,6 +6,7 @@
 #include "core/base/rounding.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/obstacle_surface.hpp"
+#include "core/surface/wall_caps.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "protocol/files/surface_lines.hpp"
@@ -14,6 +15,7 @@
 #include "server/base/limits.hpp"
 #include "server/base/split.hpp"
 #include "server/data/open_dataset.hpp"
+#include "server/data/surface_scalars.hpp"
 #include "server/live/surface_build.hpp"
 #include "server/live/surface_file.hpp"
 #include "server/net/download_request.hpp"
@@ -22,6 +24,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -36,26 +40,36 @@ using core::fail;
 
 namespace {
 
+struct Obstacle {
+    core::QuadComplex mesh;
+    std::size_t walls; ///< vertices; what comes after them closes bodies at the sides of the domain
+};
+
 /// Returns the surface at which particles stop, for display: that of the solid nodes, or the walls of the
 /// store or of a built-in flow.
-core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
+core::Result<Obstacle> obstacle_of(const LoadedDataset& dataset) {
     const auto none = fail(Error::Code::NotFound, "the dataset has no obstacle",
                            "`dataset.describe` says whether it has one");
     const store::StoreReader* store = dataset.store.get();
-    if (store != nullptr && !store->mask().empty())
-        return core::obstacle_surface(store->grid(), store->mask());
-    const auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
+    if (store != nullptr && !store->mask().empty()) {
+        auto mesh = core::obstacle_surface(store->grid(), store->mask());
+        const std::size_t all = mesh.vertices();
+        return Obstacle{std::move(mesh), all};
+    }
+    auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
     if (!walls)
         return tl::unexpected(walls.error());
     if (walls->triangles.empty())
         return none;
-    return core::wall_surface(*walls);
+    const std::size_t count = walls->points.size();
+    core::close_at_sides(*walls, *dataset.flow);
+    return Obstacle{core::wall_surface(*walls), count};
 }
 
 /// The memory for the mesh, its frames and intermediate data, in bytes a vertex.
 constexpr std::size_t obstacle_bytes = 400;
-/// The additional memory for velocity, speed, s and t, as numbers and as codes, in bytes a vertex.
-constexpr std::size_t flow_bytes = core::wall_velocity_bytes + 100;
+/// The additional memory for velocity, a field, speed, s and t, as numbers and as codes, in bytes a vertex.
+constexpr std::size_t flow_bytes = core::wall_velocity_bytes + 150;
 
 /// Returns the time at which the data have the flow for a request at `time`: the same, or the one time of a
 /// steady flow. Error: OutOfTime.
@@ -73,19 +87,56 @@ core::Result<double> time_in_data(const LoadedDataset& dataset, double time) {
     return std::clamp(time, first, last);
 }
 
+/// Returns a field beside an obstacle's vertices, not a number where there is none.
+core::Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
+                                               const Obstacle& obstacle,
+                                               double time,
+                                               const std::string& field,
+                                               const std::stop_token& stop) {
+    const bool masked = dataset.store != nullptr && !dataset.store->mask().empty();
+    auto places = core::places_off_wall(obstacle.mesh, *dataset.flow,
+                                        masked ? core::mask_distances : core::wall_distances, stop);
+    if (!places)
+        return tl::unexpected(places.error());
+    core::QuadComplex beside;
+    beside.position = *std::move(places);
+    beside.velocity = obstacle.mesh.velocity;
+    const std::vector<double> times(beside.position.size(), time);
+    auto scalars = surface_scalars(dataset, beside, times, {field}, stop);
+    if (!scalars)
+        return tl::unexpected(scalars.error());
+    std::vector<float> values;
+    if (const auto found = scalars->find(field); found != scalars->end())
+        values = std::move(found->second);
+    else if (field == dataset.info.velocity) // its magnitude
+        for (core::VertexId v = 0; v < beside.vertices(); ++v)
+            values.push_back(static_cast<float>(beside.speed(v)));
+    else
+        return fail(Error::Code::NotFound,
+                    "`" + field + "` is a field of surfaces, not of obstacles",
+                    "choose a stored field, the velocity, vorticity or q_criterion");
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (i >= obstacle.walls || std::isnan(beside.position[i].x))
+            values[i] = std::numeric_limits<float>::quiet_NaN();
+    return values;
+}
+
 /// Returns the frames of one KEY, each preceded by its length. protocol/wire/README.md, Obstacle file. Error:
 /// NotFound without an obstacle, OverLimit, and as sampling and encoding.
 /// @param time   as time_in_data returns it; empty: without the flow
+/// @param field  likewise beside the wall; empty: none
 /// @param share  is grown to the memory needed
 core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
                                           std::optional<double> time,
+                                          const std::string& field,
                                           const core::MemoryAccount& account,
                                           core::MemoryAccount::Share& share,
                                           const std::stop_token& stop) {
-    auto mesh = obstacle_of(dataset);
-    if (!mesh)
-        return tl::unexpected(mesh.error());
-    const std::size_t needed = mesh->vertices() * (obstacle_bytes + (time ? flow_bytes : 0));
+    auto obstacle = obstacle_of(dataset);
+    if (!obstacle)
+        return tl::unexpected(obstacle.error());
+    core::QuadComplex& mesh = obstacle->mesh;
+    const std::size_t needed = mesh.vertices() * (obstacle_bytes + (time ? flow_bytes : 0));
     if (!share.grow_to(needed))
         return tl::unexpected(account.refusal("the file of this obstacle", needed));
     protocol::EncodeOptions options;
@@ -94,13 +145,21 @@ core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
     protocol::MeshFields fields;
     if (time) {
         options.time = *time;
-        if (auto added = core::add_wall_velocity(*mesh, *dataset.flow, *time, stop); !added)
+        if (auto added = core::add_wall_velocity(mesh, *dataset.flow, *time, stop); !added)
             return tl::unexpected(added.error());
+        std::fill(mesh.velocity.begin() + static_cast<std::ptrdiff_t>(obstacle->walls),
+                  mesh.velocity.end(), core::Vec3f(0.0F));
         for (const std::string_view name : core::velocity_component_names)
-            fields.push_back(*core::vertex_component(*mesh, name));
+            fields.push_back(*core::vertex_component(mesh, name));
+        if (!field.empty()) {
+            auto values = values_beside(dataset, *obstacle, *time, field, stop);
+            if (!values)
+                return tl::unexpected(values.error());
+            fields.push_back(*std::move(values));
+        }
     }
     const auto state = protocol::encode_state(
-        *mesh, protocol::lattice_over(dataset.info.bounds, dataset.info.periodic), options, fields);
+        mesh, protocol::lattice_over(dataset.info.bounds, dataset.info.periodic), options, fields);
     if (!state)
         return tl::unexpected(state.error());
     std::string out;
@@ -245,22 +304,25 @@ void Downloads::obstacle(const HttpRequest& request,
     const auto dataset = catalogue_.find(id);
     if (!dataset)
         return respond(http_error(dataset.error()));
-    const auto asked = url_query(request.query).and_then(read_obstacle_time);
+    const auto asked = url_query(request.query).and_then(read_obstacle);
     if (!asked)
         return respond(http_error(asked.error()));
     std::optional<double> time;
-    if (*asked) {
-        const auto there = time_in_data(**dataset, **asked);
+    if (asked->time) {
+        const auto there = time_in_data(**dataset, *asked->time);
         if (!there)
             return respond(http_error(there.error()));
         time = *there;
     }
-    const std::string when = time ? fmt::format(" at {}", *time) : "";
+    if (!asked->field.empty())
+        if (const auto known = check_fields(**dataset, {asked->field}, "field"); !known)
+            return respond(http_error(known.error()));
+    const std::string when = time ? fmt::format(" at {} {}", *time, asked->field) : "";
     files_.get(
         "obstacle " + id + " " + values_of(**dataset) + when, turns_of("", identity),
-        [loaded = *dataset, time, &account = account_](const std::stop_token& stop,
-                                                       core::MemoryAccount::Share& share) {
-            return obstacle_frames(*loaded, time, account, share, stop);
+        [loaded = *dataset, time, field = asked->field,
+         &account = account_](const std::stop_token& stop, core::MemoryAccount::Share& share) {
+            return obstacle_frames(*loaded, time, field, account, share, stop);
         },
         request.gone,
         [this, respond, request, identity, id, data = *dataset](const core::Result<File>& file) {

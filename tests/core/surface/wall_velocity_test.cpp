@@ -65,6 +65,7 @@ struct SolidBall {
             mask.fluid.push_back(glm::length(at) < 0.5 ? 0 : 1);
         }
         wall = obstacle_surface(grid, mask);
+        fluid = mask.fluid;
         flow = make_stored_flow(std::make_shared<TimeStepCache>(
             std::make_shared<SampledSource>(
                 grid, std::vector{0.0}, [velocity](const Vec3&, double) { return velocity; }, mask),
@@ -72,6 +73,7 @@ struct SolidBall {
     }
 
     QuadComplex wall;
+    std::vector<std::uint8_t> fluid; ///< by nodes
     std::unique_ptr<Flow> flow;
 };
 
@@ -171,6 +173,27 @@ TEST(WallVelocity, RoundSolidNodesHasTheDirectionOfTheFluidBesideThem) {
         ASSERT_TRUE(add_wall_velocity(ball.wall, *ball.flow, 0.0, {}));
         for (const Vec3f& found : ball.wall.velocity)
             EXPECT_LT(between(Vec3(found), velocity), 1e-3);
+    }
+}
+
+TEST(WallVelocity, PlacesAWholeSpacingOffSolidNodesHaveTheirValuesFromTheFluid) {
+    for (const bool rectilinear : {false, true}) {
+        const SolidBall ball(rectilinear, {1, 0, 0});
+        const auto places = places_off_wall(ball.wall, *ball.flow, mask_distances, {});
+        ASSERT_TRUE(places);
+        double most = 0.0;
+        std::size_t some = 0;
+        for (const Vec3& place : *places) {
+            const NodeShares shares = ball.flow->shares(place);
+            ASSERT_EQ(shares.status, PointStatus::Inside);
+            double solid = 0.0;
+            for (std::size_t i = 0; i < shares.count; ++i)
+                solid += ball.fluid[shares.node[i]] == 0 ? shares.share[i] : 0.0;
+            most = std::max(most, solid);
+            some += solid > 1e-9 ? 1 : 0;
+        }
+        EXPECT_LT(some, places->size() / 10); // in corners that face in
+        EXPECT_LT(most, 0.05);
     }
 }
 

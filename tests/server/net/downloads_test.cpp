@@ -342,6 +342,7 @@ TEST(ObstacleDownload, AtATimeHasTheVelocityOffTheBody) {
             forward += mesh.ranges[3].value(mesh.codes[3][i]) > 0.0 ? 1 : 0;
         EXPECT_GT(forward, mesh.vertices() * 9 / 10) << dataset;
         EXPECT_EQ(at(dataset, "?time=soon").status, 400);
+        EXPECT_NE(at(dataset, "?field=vorticity").body.find("needs a `time`"), std::string::npos);
         EXPECT_NE(at(dataset, "?step=1").body.find("no parameter `step`"), std::string::npos);
     }
     EXPECT_EQ(at("sphere", "?time=7").body, at("sphere", "?time=1.5").body) << "it stands still";
@@ -350,6 +351,28 @@ TEST(ObstacleDownload, AtATimeHasTheVelocityOffTheBody) {
     EXPECT_NE(late.body.find("time 2.5 is outside the data's 0 to 2"), std::string::npos)
         << late.body;
     EXPECT_EQ(at("tornado", "?time=0").status, 404);
+}
+
+TEST(ObstacleDownload, HasAFieldBesideTheBody) {
+    const ServerProcess server({"flow:sphere?a=2"});
+    const auto at = [&](const std::string& query) {
+        return http(server.port(), "GET", "/api/v1/datasets/sphere/obstacle.bin" + query,
+                    server.bearer());
+    };
+    const HttpReply reply = at("?time=1.5&field=velocity");
+    ASSERT_EQ(reply.status, 200) << reply.body;
+    const protocol::WireMesh mesh = decoded(reply.body);
+    ASSERT_EQ(mesh.codes.size(), 7U);
+    const auto lattice = protocol::lattice_over({core::Vec3(-5), core::Vec3(10, 5, 5)});
+    for (std::size_t i = 0; i < mesh.vertices();
+         i += 50) { // potential flow: 3/2 sin(theta) U on the sphere
+        const core::Vec3 p = dequantise(lattice, mesh.position[i]) / 2.0;
+        EXPECT_NEAR(mesh.ranges[6].value(mesh.codes[6][i]), 1.5 * std::hypot(p.y, p.z), 0.05);
+    }
+    EXPECT_EQ(at("?time=1.5&field=nothing").status, 404);
+    const HttpReply of_surfaces = at("?time=1.5&field=error");
+    EXPECT_EQ(of_surfaces.status, 404);
+    EXPECT_NE(of_surfaces.body.find("a field of surfaces"), std::string::npos) << of_surfaces.body;
 }
 
 } // namespace wakesurf::tests::downloads_test
