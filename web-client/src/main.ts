@@ -18,7 +18,7 @@ import { announceLostGraphics, showStillPictures, showTheme } from './session/pi
 import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring, Noting, Probing } from './session/tools/pointTools.ts';
 import { hideSurfaces, measurePixels, showLooks } from './session/picture/looksInPicture.ts';
-import { BodyFlow } from './session/picture/bodyFlow.ts';
+import { BodyFields } from './session/picture/bodyFields.ts';
 import { announceMissingFields } from './session/picture/surfaceFields.ts';
 import { ImportWait } from './session/importWait.ts';
 import { OpenDataset } from './session/openDataset.ts';
@@ -144,7 +144,7 @@ function start(app: App): void {
     const sessionList = new SessionList({ state, worker, server, restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
-    const bodyFlow = new BodyFlow({
+    const bodyFields = new BodyFields({
         ...{ state, view, scene, worker },
         time: () => playback.time.value,
         moves: () => playback.mode.value === 'clock',
@@ -153,7 +153,7 @@ function start(app: App): void {
     const events = new ServerEvents({ state, feed, outcomes, people, progress, families, dataset, controller });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar, { state, worker });
-    const film = new FilmMaker({ state, view, worker, edits, playback, bodyFlow, figure });
+    const film = new FilmMaker({ state, view, worker, edits, playback, bodyFields, figure });
     const mesh = new MeshDownload(server);
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
@@ -161,7 +161,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
-    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFlow, latency, canvas, figure }) });
+    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFields, latency, canvas, figure }) });
     recallPanel(view);
     listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures, () => state.notices.passed('press'));
@@ -182,7 +182,7 @@ function start(app: App): void {
     };
     app.begin({
         state,
-        scalarBar: { state, view, scene },
+        scalarBar: { state, view, scene, bodyFields },
         viewButtons: { view, scene },
         tools: { state, view },
         tour: { state, view, edits, scene },
@@ -205,7 +205,7 @@ function start(app: App): void {
             rakeList: { state, view, edits },
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
-            look: { state, view, edits, scene, bodyFlow, ownCopy },
+            look: { state, view, edits, scene, bodyFields, ownCopy },
             bookmarks: { state, views, calls, clock },
             probe: { state, view, probing },
             surroundings: { state, view, typeUnits: (change) => void typeUnits(state, calls, change) },

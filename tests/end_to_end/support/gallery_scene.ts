@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import type { Page } from 'playwright-core';
 import type { PageView } from '../../../web-client/src/state/pageView.ts';
 import { encodeLinkState } from '../../../web-client/src/session/view/urlState.ts';
+import type { BodyLook } from '../../../web-client/src/state/bodyLook.ts';
 import type { SurfaceLook } from '../../../web-client/src/state/surfaceLook.ts';
 import type { Vec3 } from '../../../web-client/src/protocol/messages.ts';
 import { finalSurface } from './browser_page.ts';
@@ -23,7 +24,7 @@ export interface Scene {
     /** The rake is in the picture, and the box of the domain with its numbers. */
     rake?: boolean;
     /** The flow along the body is shown on it. */
-    bodyTexture?: true;
+    body?: Partial<BodyLook>;
     axes?: boolean;
     size?: [number, number];
 }
@@ -68,7 +69,7 @@ export async function linkTo(server: ServerProcess, scene: Scene): Promise<strin
         camera: { ...scene.camera, orthographic: false },
         surface: String(surface),
         looks: { [String(surface)]: scene.look },
-        ...(scene.bodyTexture === undefined ? {} : { bodyTexture: scene.bodyTexture }),
+        ...(scene.body === undefined ? {} : { body: scene.body }),
     };
     const state = encodeLinkState({ view, rakes: [], surfaces: [] });
     return `${server.link}&session=${session}&dataset=${encodeURIComponent(dataset)}&state=${state}`;

@@ -124,7 +124,7 @@ class Picture {
         const { body, flow: along } = bodyOf(flow);
         drawn.set(body);
         drawn.setTime(texture === 'flowing' ? 0 : null);
-        drawn.setFlow(texture === 'none' ? null : along);
+        drawn.setValues({ flow: along, field: null }, texture !== 'none');
         this.scene.add(drawn.object, lights.object);
         const size = { width: innerWidth, height: innerHeight };
         lights.update(new View(this.camera, size, size, 1));

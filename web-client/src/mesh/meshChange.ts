@@ -78,6 +78,14 @@ export interface BodyMesh {
     indices: Uint32Array;
 }
 
+/** Beside a body at a time, by its vertices. */
+export interface BodyValues {
+    /** xyz of the velocity. */
+    flow: Float32Array;
+    /** Not a number where there is none; null: none was asked for. */
+    field: Float32Array | null;
+}
+
 /** Calls `use` with both ends of each side of each cell, so twice for those between two. */
 export type Sides = (use: (from: number, to: number) => void) => void;
 

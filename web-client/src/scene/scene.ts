@@ -1,7 +1,7 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds
 // it and listens to it.
 import { type Color, Scene, WebGLRenderer } from 'three';
-import type { BodyMesh, TimedMeshChange } from '../mesh/meshChange.ts';
+import type { BodyMesh, BodyValues, TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
 import type { Bounds } from './domain/domainAxes.ts';
@@ -14,7 +14,7 @@ import { RakeInteraction } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
 import { SampledPicture, samplePlaces } from './sampledPicture.ts';
 import { pairs } from './surface/contactShade.ts';
-import { DrawnBody } from './surface/drawnBody.ts';
+import { type BodyColours, DrawnBody } from './surface/drawnBody.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import type { PickGrid, PickHit, PickOptions } from './surface/pickHit.ts';
 import { SurfacePick } from './surface/surfacePick.ts';
@@ -231,9 +231,14 @@ export class FlowScene {
         this.loop.request();
     }
 
+    setBodyColours(colours: BodyColours): void {
+        this.body.setColours(colours);
+        this.loop.request();
+    }
+
     /** See DrawnBody. */
-    setBodyFlow(flow: Float32Array | null): void {
-        this.body.setFlow(flow);
+    setBodyValues(values: BodyValues | null, textured: boolean): void {
+        this.body.setValues(values, textured);
         this.loop.request();
     }
 

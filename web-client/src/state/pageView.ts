@@ -1,6 +1,7 @@
 // What a link or a bookmark remembers of a page, which is how one person looks at the session: the view as a whole, what of the session is
 // shown and which rakes may be moved, and the planes that cut the picture open. Read from strangers and from older versions, so that
 // anything may be missing or wrong in it; that is left out.
+import { type BodyLook, decodeBody, encodeBody } from './bodyLook.ts';
 import { isVec3, type Vec3 } from '../protocol/messages.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from './surfaceLook.ts';
 
@@ -11,8 +12,8 @@ export interface PageView {
     /** By surface, what differs from the usual look. */
     looks?: Record<string, Partial<SurfaceLook>>;
     clip?: ClipPlanes;
-    /** The flow along the body is shown on it. */
-    bodyTexture?: true;
+    /** What differs from the usual look of the body. */
+    body?: Partial<BodyLook>;
     /** By surface, what the painter has revealed, as the scene encodes it. */
     masks?: Record<string, string>;
     /** What is hidden or locked, as encodeVisibility makes it; not there: nothing. */
@@ -25,7 +26,7 @@ const maskText = /^[\w-]{1,800}$/;
 export function readPageView(value: unknown): PageView {
     const view: PageView = {};
     if (typeof value !== 'object' || value === null) return view;
-    const { camera, surface, looks, clip, bodyTexture, masks, shown } = value as Record<string, unknown>;
+    const { camera, surface, looks, clip, body, bodyTexture, masks, shown } = value as Record<string, unknown>;
     const pose = camera as Record<string, unknown> | null | undefined;
     const [position, target] = [pose?.['position'], pose?.['target']];
     if (isVec3(position) && isVec3(target) && String(position) !== String(target)) {
@@ -42,7 +43,8 @@ export function readPageView(value: unknown): PageView {
         view.masks = Object.fromEntries(Object.entries(masks).filter(isText).slice(0, maxLooks));
     }
     if (clip !== undefined) view.clip = decodeClip(clip);
-    if (bodyTexture === true) view.bodyTexture = true;
+    // Links of old have the texture by itself.
+    if (body !== undefined || bodyTexture === true) view.body = encodeBody(decodeBody(body ?? { texture: true }));
     const encoded = encodeVisibility(decodeVisibility(shown));
     if (encoded !== undefined) view.shown = encoded;
     return view;

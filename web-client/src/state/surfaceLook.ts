@@ -104,18 +104,19 @@ const longestName = 200;
 export const maxHiddenParts = 64;
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
-const isFlag = (value: unknown): boolean => typeof value === 'boolean';
+export const isFlag = (value: unknown): boolean => typeof value === 'boolean';
+export const isName = (value: unknown): boolean => typeof value === 'string' && value !== '' && value.length <= longestName;
 const isPart = (value: unknown): boolean => isNumber(value) && value >= 0 && value <= 1;
 const isPair = (value: unknown): value is [number, number] => Array.isArray(value) && value.length === 2 && value.every(isNumber);
 const isLength = (value: unknown): boolean => value === null || (isNumber(value) && value > 0);
-const isSpan = (value: unknown): boolean => value === null || (isPair(value) && value[0] <= value[1]);
-const isOneOf =
+export const isSpan = (value: unknown): boolean => value === null || (isPair(value) && value[0] <= value[1]);
+export const isOneOf =
     (values: readonly string[]) =>
     (value: unknown): boolean =>
         values.includes(value as string);
 
 const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
-    colourBy: (value) => typeof value === 'string' && value !== '' && value.length <= longestName,
+    colourBy: isName,
     colour: (value) => value === null || (typeof value === 'string' && /^#[0-9a-f]{6}$/i.test(value)),
     map: isOneOf(colourMaps),
     invert: isFlag,
@@ -148,18 +149,29 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
 
 /** Returns what differs from the usual, for a link or a bookmark. */
 export function encodeLook(look: SurfaceLook): Partial<SurfaceLook> {
-    const differs = (name: keyof SurfaceLook): boolean => JSON.stringify(look[name]) !== JSON.stringify(usualLook[name]);
-    const saved = { ...look, hiddenParts: look.hiddenParts.slice(0, maxHiddenParts) };
-    return Object.fromEntries(Object.entries(saved).filter(([name]) => differs(name as keyof SurfaceLook)));
+    return changesFrom(usualLook, { ...look, hiddenParts: look.hiddenParts.slice(0, maxHiddenParts) });
+}
+
+export function changesFrom<Look extends object>(usual: Look, look: Look): Partial<Look> {
+    const differs = (name: keyof Look): boolean => JSON.stringify(look[name]) !== JSON.stringify(usual[name]);
+    return Object.fromEntries(Object.entries(look).filter(([name]) => differs(name as keyof Look))) as Partial<Look>;
 }
 
 /** Never throws. */
 export function decodeLook(value: unknown): SurfaceLook {
-    if (typeof value !== 'object' || value === null) return usualLook;
+    return readChanges(usualLook, checks, value);
+}
+
+export function readChanges<Look extends object>(
+    usual: Look,
+    isRight: Record<keyof Look, (value: unknown) => boolean>,
+    value: unknown,
+): Look {
+    if (typeof value !== 'object' || value === null) return usual;
     const given = Object.entries(value).filter(
-        ([name, each]) => Object.hasOwn(checks, name) && checks[name as keyof SurfaceLook](each),
+        ([name, each]) => Object.hasOwn(isRight, name) && isRight[name as keyof Look](each),
     );
-    return { ...usualLook, ...Object.fromEntries(given) };
+    return { ...usual, ...Object.fromEntries(given) };
 }
 
 /** What colours stand for where no user has said it. Is the range of one field, on some surfaces. */

@@ -1,5 +1,6 @@
 // How this page looks at the session: not shared with others but by a link, a bookmark or following.
 // Written by ui/ and session/, read by both.
+import { type BodyLook, plainBody } from './bodyLook.ts';
 import { signal } from '@preact/signals-core';
 import type { Vec3 } from '../protocol/messages.ts';
 import { type AutomaticRanges, type SurfaceLook, usualLook } from './surfaceLook.ts';
@@ -67,8 +68,7 @@ export class ViewState {
     readonly fixedRanges = signal<AutomaticRanges | null>(null);
     readonly visibility = signal<Visibility>(allShown);
     readonly clip = signal<ClipPlanes>(noClip);
-    /** The flow along the body is shown on it. */
-    readonly bodyTexture = signal(false);
+    readonly body = signal<BodyLook>(plainBody);
     /** The size of a unit of length where the camera looks, once it rests. */
     readonly pixelsPerLength = signal(1);
     /** The parts of the selected surface are listed. */

@@ -3,7 +3,7 @@
 // at which two of them meet at less than the crease angle; each group has the mean of its normals, by the angle that a face has there. A
 // corner with several groups becomes several vertices, the first of them in its old place.
 import { signed } from '../connection/ownServer.ts';
-import type { BodyMesh } from '../mesh/meshChange.ts';
+import type { BodyMesh, BodyValues } from '../mesh/meshChange.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
@@ -33,14 +33,16 @@ export async function fetchObstacle(place: Place, wanted: Wanted, draco: DracoPo
     return bytes === null ? null : decodeObstacle(bytes, draco, wanted.lattice);
 }
 
-/** Three numbers for each vertex of that obstacle. */
-export async function fetchObstacleFlow(
+/** @param wanted field: its name; empty: the flow alone */
+export async function fetchBodyValues(
     place: Place,
-    wanted: Wanted & { time: number },
+    wanted: Wanted & { time: number; field: string },
     draco: DracoPoints,
-): Promise<Float32Array | null> {
-    const bytes = await fetchBytes(place, wanted, `?time=${encodeURIComponent(String(wanted.time))}`);
-    return bytes === null ? null : decodeObstacleFlow(bytes, draco, wanted.lattice);
+): Promise<BodyValues | null> {
+    const { time, field } = wanted;
+    const query = new URLSearchParams({ time: String(time), ...(field === '' ? {} : { field }) });
+    const bytes = await fetchBytes(place, wanted, `?${query.toString()}`);
+    return bytes === null ? null : decodeBodyValues(bytes, draco, wanted.lattice, field !== '');
 }
 
 export function decodeObstacle(bytes: Uint8Array, draco: DracoPoints, lattice: Lattice): BodyMesh | null {
@@ -50,19 +52,25 @@ export function decodeObstacle(bytes: Uint8Array, draco: DracoPoints, lattice: L
     return { positions, normals, indices };
 }
 
-export function decodeObstacleFlow(bytes: Uint8Array, draco: DracoPoints, lattice: Lattice): Float32Array | null {
+export function decodeBodyValues(bytes: Uint8Array, draco: DracoPoints, lattice: Lattice, withField: boolean): BodyValues | null {
     const mesh = meshOf(bytes, draco, lattice);
     if (mesh === undefined) return null;
-    if (mesh.ranges.length !== velocityAt + 3) throw new Error('The server does not tell the flow along bodies.');
+    const fieldAt = velocityAt + 3;
+    if (mesh.ranges.length !== fieldAt + (withField ? 1 : 0)) {
+        throw new Error('The server does not tell the values along bodies.');
+    }
     const nodes = nodesOf(mesh);
     const same = last?.nodes.length === nodes.length && last.nodes.every((node, i) => node === nodes[i]);
     const from = same ? last!.from : divided(mesh, lattice).from;
+    const read = (attribute: number, into: Float32Array, first: number, every: number): void => {
+        const [range, { values }] = [mesh.ranges[attribute]!, mesh.codes[attribute]!];
+        for (let i = 0; i < from.length; ++i) into[every * i + first] = valueOf(range, values[from[i]!]!);
+    };
     const flow = new Float32Array(3 * from.length);
-    for (let axis = 0; axis < 3; ++axis) {
-        const [range, { values }] = [mesh.ranges[velocityAt + axis]!, mesh.codes[velocityAt + axis]!];
-        for (let i = 0; i < from.length; ++i) flow[3 * i + axis] = valueOf(range, values[from[i]!]!);
-    }
-    return flow;
+    for (let axis = 0; axis < 3; ++axis) read(velocityAt + axis, flow, axis, 3);
+    const field = withField ? new Float32Array(from.length) : null;
+    if (field !== null) read(fieldAt, field, 0, 1);
+    return { flow, field };
 }
 
 async function fetchBytes({ baseUrl, login }: Place, { dataset }: Wanted, query: string): Promise<Uint8Array | null> {
@@ -70,7 +78,7 @@ async function fetchBytes({ baseUrl, login }: Place, { dataset }: Wanted, query:
     const response = await fetch(new URL(path, baseUrl), signed(login));
     if (response.status === 404) return null;
     if (!response.ok) {
-        const what = query === '' ? 'The obstacle' : 'The flow along the body';
+        const what = query === '' ? 'The obstacle' : 'What is along the body';
         throw new Error(`${what} could not be loaded (${response.status}).`);
     }
     return new Uint8Array(await response.arrayBuffer());

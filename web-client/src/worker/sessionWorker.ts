@@ -64,14 +64,14 @@ class SessionWorker {
             this.answer(message.id, this.call(message.id, message.method as MethodName, message.params));
         } else if (message.type === 'cancel') {
             this.cancels.get(message.id)?.abort();
-        } else if (message.type === 'obstacle' || message.type === 'obstacleFlow') {
+        } else if (message.type === 'obstacle' || message.type === 'bodyValues') {
             const from = { baseUrl: this.baseUrl, login: this.shown.login };
             const read = import('./obstacle.ts');
             this.answer(
                 message.id,
                 message.type === 'obstacle'
                     ? read.then(({ fetchObstacle }) => fetchObstacle(from, message, this.draco))
-                    : read.then(({ fetchObstacleFlow }) => fetchObstacleFlow(from, message, this.draco)),
+                    : read.then(({ fetchBodyValues }) => fetchBodyValues(from, message, this.draco)),
             );
         } else if (message.type === 'notify') {
             this.socket.send(encodeNotification(message.method, message.params));

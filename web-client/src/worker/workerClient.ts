@@ -2,7 +2,7 @@
 // two to answer, so that bytes that make a decoder run for ever cost one worker, not the page.
 import type { Credentials } from '../connection/authorise.ts';
 import { type Clock, systemClock, type Timer } from '../connection/clock.ts';
-import type { BodyMesh } from '../mesh/meshChange.ts';
+import type { BodyMesh, BodyValues } from '../mesh/meshChange.ts';
 import type { Lattice } from '../protocol/lattice.ts';
 import { errorWords, type MethodName, type ParamsOf, type ResultOf } from '../protocol/messages.ts';
 import type { CallFailure, FromWorker, MessageOf, ShowWish, ToWorker } from './workerMessages.ts';
@@ -147,9 +147,9 @@ export class WorkerClient {
         return this.ask((id) => ({ type: 'obstacle', id, dataset, lattice }));
     }
 
-    /** xyz of the velocity off it, by its vertices; null where there is none. */
-    obstacleFlow(dataset: string, lattice: Lattice, time: number): Promise<Float32Array | null> {
-        return this.ask((id) => ({ type: 'obstacleFlow', id, dataset, lattice, time }));
+    /** Null where there is no obstacle. @param field empty: the velocity alone */
+    bodyValues(dataset: string, lattice: Lattice, time: number, field: string): Promise<BodyValues | null> {
+        return this.ask((id) => ({ type: 'bodyValues', id, dataset, lattice, time, field }));
     }
 
     private ask<Result>(message: (id: number) => MessageOf<ToWorker>): Promise<Result> {

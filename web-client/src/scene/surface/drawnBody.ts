@@ -1,26 +1,46 @@
-// The solid body in the picture: a little further away in depth than it is, cut where surfaces are, with the flow along it as a texture,
-// that of surfaces (flowTexture.ts), in the material that the scene lights. Its programs light vertices, not pixels: what that saves, the
-// texture takes.
+// The solid body in the picture: a little further away in depth than it is, cut where surfaces are, coloured by a field, with lines of equal
+// values, and with the flow along it as a texture, that of surfaces (flowTexture.ts), in the material that the scene lights. Programs with
+// the texture light vertices, not pixels: what that saves, the texture takes.
 import {
     BufferAttribute,
     BufferGeometry,
+    type DataTexture,
     DoubleSide,
     Group,
     type Material,
     Mesh,
     MeshLambertMaterial,
     Plane,
+    Vector2,
     Vector3,
 } from 'three';
-import type { BodyMesh } from '../../mesh/meshChange.ts';
+import type { BodyMesh, BodyValues } from '../../mesh/meshChange.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { shadedLayer } from './contactShade.ts';
 import { flowTextureGlsl, flowVertexGlsl } from './flowTexture.ts';
 import { pushBack } from './renderPasses.ts';
 import type { SurfaceLayer } from './surfaceLayer.ts';
-import { type FlowTexture, makeNoise, type SharedUniforms, textureDefines } from './surfaceMaterial.ts';
+import type { ColourMapName } from './colourMap.ts';
+import { makeNoise, type SharedUniforms, textureDefines } from './surfaceMaterial.ts';
+
+/** Says of a program that it shows no values. */
+const plain = 'none false';
+
+type FieldUniforms = { colours: { value: DataTexture }; fieldRange: { value: Vector2 }; contourStep: { value: number } };
 
 type Planes = readonly (readonly [number, number, number, number])[];
+
+export interface BodyColours {
+    map: ColourMapName;
+    inverted: boolean;
+    /** What both ends of the colours stand for. */
+    range: readonly [number, number];
+    /** From one line of equal values to the next; 0: there are none. */
+    contourStep: number;
+}
+
+/** In the place of what is no number, which interpolation would spread. */
+const noValue = -1e30;
 
 export interface BodyVertex {
     point: Vec3;
@@ -35,14 +55,20 @@ export class DrawnBody {
     private readonly flowTime = { value: 0 };
     private mesh: ReturnType<typeof createObstacleMesh> | null = null;
     private planes: Planes = [];
-    /** It may come before the body does. */
+    /** They may come before the body does. */
     private flow: Float32Array | null = null;
+    private field: Float32Array | null = null;
+    private readonly fieldUniforms: FieldUniforms;
     private moving = false;
-    /** The texture that its programs have. */
-    private texture: FlowTexture = 'none';
+    private program = plain;
 
     constructor(surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>) {
         this.surfaces = surfaces;
+        this.fieldUniforms = {
+            colours: { value: surfaces.textures.colours('viridis') },
+            fieldRange: { value: new Vector2(0, 1) },
+            contourStep: { value: 0 },
+        };
     }
 
     get geometry(): BufferGeometry | null {
@@ -52,6 +78,11 @@ export class DrawnBody {
     /** Returns whether the flow along it is seen. */
     get textured(): boolean {
         return this.mesh?.geometry.hasAttribute('flow') === true;
+    }
+
+    /** Returns whether a field is seen on it. */
+    get coloured(): boolean {
+        return this.mesh?.geometry.hasAttribute('field') === true;
     }
 
     /** Every n-th of them. */
@@ -70,20 +101,20 @@ export class DrawnBody {
         this.mesh = createObstacleMesh(body);
         this.mesh.layers.enable(shadedLayer);
         pushBack(this.mesh.material, this.surfaces.bodyPush);
-        giveTexture(this.mesh.material, this.surfaces.shared, this.flowTime);
+        giveValues(this.mesh.material, this.surfaces.shared, this.flowTime, this.fieldUniforms);
         clipMaterial(this.mesh.material, this.planes);
         this.object.add(this.mesh);
-        this.applyFlow();
+        this.applyValues();
     }
 
-    /** With the flow along it: what comes next may be another body of as many vertices. */
+    /** With its values: what comes next may be another body of as many vertices. */
     remove(): void {
         this.clear();
-        this.flow = null;
+        this.flow = this.field = null;
     }
 
     private clear(): void {
-        this.texture = 'none';
+        this.program = plain;
         if (this.mesh === null) return;
         this.object.remove(this.mesh);
         this.mesh.geometry.dispose();
@@ -96,38 +127,53 @@ export class DrawnBody {
         if (this.mesh !== null) clipMaterial(this.mesh.material, planes);
     }
 
-    /** xyz of the velocity off it, by vertices; null: its texture is not wanted. */
-    setFlow(flow: Float32Array | null): void {
-        this.flow = flow;
-        this.applyFlow();
+    /** Null: it is plain. @param textured the flow along it is shown */
+    setValues(values: BodyValues | null, textured: boolean): void {
+        this.flow = textured ? (values?.flow ?? null) : null;
+        this.field = values?.field?.map((value) => (Number.isNaN(value) ? noValue : value)) ?? null;
+        this.applyValues();
+    }
+
+    setColours({ map, inverted, range: [low, high], contourStep }: BodyColours): void {
+        this.fieldUniforms.colours.value = this.surfaces.textures.colours(map);
+        this.fieldUniforms.fieldRange.value.set(inverted ? high : low, inverted ? low : high);
+        this.fieldUniforms.contourStep.value = contourStep;
     }
 
     /** For how much simulation time the flow has gone; null: no clock moves it. */
     setTime(time: number | null): void {
         this.flowTime.value = time ?? 0;
         this.moving = time !== null;
-        this.showTexture();
+        this.showValues();
     }
 
-    private applyFlow(): void {
+    private applyValues(): void {
         if (this.mesh === null) return;
-        const { geometry } = this.mesh;
-        const known = geometry.attributes['flow'] as BufferAttribute | undefined;
-        // That of another body, whose own is on its way.
-        const fits = this.flow?.length === geometry.attributes['position']!.array.length;
-        if (this.flow !== null && fits) {
-            if (known === undefined) geometry.setAttribute('flow', new BufferAttribute(this.flow, 3));
-            else known.copyArray(this.flow).needsUpdate = true;
-        } else geometry.deleteAttribute('flow');
-        this.showTexture();
+        this.apply('flow', this.flow, 3);
+        this.apply('field', this.field, 1);
+        this.showValues();
     }
 
-    private showTexture(): void {
+    private apply(name: string, values: Float32Array | null, size: number): void {
+        const { geometry } = this.mesh!;
+        const known = geometry.attributes[name] as BufferAttribute | undefined;
+        // Those of another body, whose own are on their way, do not fit.
+        if (values?.length !== size * geometry.attributes['position']!.count) geometry.deleteAttribute(name);
+        else if (known === undefined) geometry.setAttribute(name, new BufferAttribute(values, size));
+        else known.copyArray(values).needsUpdate = true;
+    }
+
+    private showValues(): void {
+        if (this.mesh === null) return;
         const texture = !this.textured ? 'none' : this.moving ? 'flowing' : 'standing';
-        if (this.mesh === null || texture === this.texture) return;
-        this.texture = texture;
+        const program = `${texture} ${this.coloured}`;
+        if (program === this.program) return;
+        this.program = program;
         makeNoise(texture, this.surfaces.shared, this.surfaces.textures);
-        showTexture(this.mesh.material, texture);
+        // Programs are made when they are first wanted.
+        const { material } = this.mesh;
+        material.defines = { ...textureDefines[texture], ...(this.coloured ? { COLOURED: 1 } : {}) };
+        material.needsUpdate = true;
     }
 }
 
@@ -147,6 +193,10 @@ function createObstacleMesh({ positions, normals, indices }: BodyMesh): Mesh<Buf
 }
 
 const vertexGlsl = `
+#ifdef COLOURED
+attribute float field;
+out float fieldValue;
+#endif
 #ifdef TEXTURED
 #include <lights_pars_begin>
 attribute vec3 flow;
@@ -165,6 +215,9 @@ vec3 lightOn(vec3 n) {
 #endif`;
 
 const vertexMain = `
+#ifdef COLOURED
+    fieldValue = field;
+#endif
 #ifdef TEXTURED
     vec3 toViewer = isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(-mvPosition.xyz);
     float facing = dot(transformedNormal, toViewer);
@@ -175,20 +228,37 @@ const vertexMain = `
 #endif`;
 
 const fragmentGlsl = `
+#ifdef COLOURED
+in float fieldValue;
+uniform sampler2D colours;
+uniform vec2 fieldRange;
+uniform float contourStep;
+
+/** Grey without a value. */
+vec3 fieldColour(vec3 grey) {
+    float at = fieldValue / max(contourStep, 1e-30);
+    float apart = abs(fract(at - 0.5) - 0.5) / max(fwidth(at), 1e-9);
+    if (fieldValue < -1e29) return grey;
+    vec3 colour = texture(colours, vec2((fieldValue - fieldRange.x) / (fieldRange.y - fieldRange.x), 0.5)).rgb;
+    return contourStep > 0.0 ? colour * mix(0.2, 1.0, smoothstep(0.5, 1.3, apart)) : colour;
+}
+#endif
 #ifdef TEXTURED
 in vec3 light;
 uniform float lineDensity;
 ${flowTextureGlsl}
 #endif`;
 
+/** Behind it the colour is what the material has. */
+const painted = '#include <color_fragment>';
 /** In the place of the includes between which it begins and ends. */
 const lit = ['#include <lights_lambert_fragment>', '#include <lights_fragment_end>'] as const;
 
 /** @param time for how much simulation time the flow has gone  */
-function giveTexture(material: MeshLambertMaterial, shared: SharedUniforms, time: { value: number }): void {
+function giveValues(material: MeshLambertMaterial, shared: SharedUniforms, time: { value: number }, field: FieldUniforms): void {
     const before = material.onBeforeCompile.bind(material);
     const { noiseScale, noiseFrom, noise, waves, flowed } = shared;
-    const own = { lineDensity: { value: 1 }, byItself: { value: false }, flowTime: time };
+    const own = { lineDensity: { value: 1 }, byItself: { value: false }, flowTime: time, ...field };
     material.onBeforeCompile = (shader, renderer) => {
         before(shader, renderer);
         Object.assign(shader.uniforms, own, { noiseScale, noiseFrom, noise, waves, flowed });
@@ -197,16 +267,11 @@ function giveTexture(material: MeshLambertMaterial, shared: SharedUniforms, time
             .replace('#include <project_vertex>', `#include <project_vertex>${vertexMain}`);
         shader.fragmentShader = shader.fragmentShader
             .replace('void main() {', `${fragmentGlsl}\nvoid main() {`)
+            .replace(painted, `${painted}\n#ifdef COLOURED\n    diffuseColor.rgb = fieldColour(diffuseColor.rgb);\n#endif`)
             .replace(
                 lit[0],
-                `#ifdef TEXTURED\n    reflectedLight.directDiffuse = diffuse * light * flowTexture(1.0);\n#else\n${lit[0]}`,
+                `#ifdef TEXTURED\n    reflectedLight.directDiffuse = diffuseColor.rgb * light * flowTexture(1.0);\n#else\n${lit[0]}`,
             )
             .replace(lit[1], `${lit[1]}\n#endif`);
     };
-}
-
-/** Programs with it are made when it is first wanted. */
-function showTexture(material: MeshLambertMaterial, texture: FlowTexture): void {
-    material.defines = textureDefines[texture];
-    material.needsUpdate = true;
 }

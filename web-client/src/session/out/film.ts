@@ -2,7 +2,7 @@
 // picture is drawn. It takes as long as it takes; no frame is left out. Afterwards the time is what it was.
 import { effect, signal } from '@preact/signals-core';
 import type { ClockRecord, SurfaceRecord } from '../../protocol/messages.ts';
-import type { BodyFlow } from '../picture/bodyFlow.ts';
+import type { BodyFields } from '../picture/bodyFields.ts';
 import { timeText, withUnit } from '../picture/writtenNumbers.ts';
 import type { ScreenSize } from '../../scene/base/view.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -46,7 +46,7 @@ export interface FilmOptions {
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'intent' | 'gestures'>;
     playback: Playback;
-    bodyFlow: Pick<BodyFlow, 'status'>;
+    bodyFields: Pick<BodyFields, 'status'>;
     figure: Figure;
 }
 
@@ -147,7 +147,7 @@ export class FilmMaker {
     }
 
     private async show(time: number): Promise<void> {
-        const { playback, worker, state, bodyFlow } = this.options;
+        const { playback, worker, state, bodyFields } = this.options;
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
         else playback.release(time, this.options.edits.gestures.current);
@@ -158,7 +158,7 @@ export class FilmMaker {
         try {
             await this.until(() => {
                 const surfaces = moving ? this.surfacesAt(time) : ['final', 'empty', 'hidden'].includes(state.phase.value);
-                return bodyFlow.status.value !== 'waiting' && surfaces;
+                return bodyFields.status.value !== 'waiting' && surfaces;
             });
         } finally {
             clearInterval(retry);

@@ -34,9 +34,9 @@ describe('a picture for a program', () => {
         expect(why()).toBe('s1 is not there');
     });
 
-    it('is not whole while the flow along the body is on its way', () => {
+    it('is not whole while the values along the body are on their way', () => {
         status.value = 'waiting';
-        expect(why()).toBe('the flow along the body is not there');
+        expect(why()).toBe('the values along the body are not there');
         status.value = 'shown';
         expect(why()).toBe('');
     });

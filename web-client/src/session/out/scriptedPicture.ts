@@ -6,7 +6,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { LatencyLog } from '../../state/latency.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { type Figure, unfinishedSurface } from './figure.ts';
-import type { BodyFlow } from '../picture/bodyFlow.ts';
+import type { BodyFields } from '../picture/bodyFields.ts';
 import { addressWith } from './recipes.ts';
 
 export interface ScriptedSetting {
@@ -24,7 +24,7 @@ export interface ScriptedSetting {
 export function unfinished(
     state: AppState,
     view: Pick<ViewState, 'lookOf'>,
-    bodyFlow: Pick<BodyFlow, 'status'>,
+    bodyFields: Pick<BodyFields, 'status'>,
     time: number | null,
 ): string {
     const stage = state.stage.value;
@@ -37,14 +37,14 @@ export function unfinished(
         const why = unfinishedSurface(state, view, record, time);
         if (why !== '') return why;
     }
-    return bodyFlow.status.value === 'waiting' ? 'the flow along the body is not there' : '';
+    return bodyFields.status.value === 'waiting' ? 'the values along the body are not there' : '';
 }
 
 export interface PageParts {
     state: AppState;
     view: Pick<ViewState, 'lookOf'>;
     scene: FlowScene;
-    bodyFlow: Pick<BodyFlow, 'status'>;
+    bodyFields: Pick<BodyFields, 'status'>;
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
     figure: Figure;
@@ -61,10 +61,10 @@ export interface ScriptedPage {
 }
 
 export function scriptedPage(parts: PageParts): ScriptedPage {
-    const { state, view, bodyFlow, figure } = parts;
+    const { state, view, bodyFields, figure } = parts;
     return {
         parts,
-        unfinished: (time) => unfinished(state, view, bodyFlow, time),
+        unfinished: (time) => unfinished(state, view, bodyFields, time),
         picture: async ({ width, height, background, caption, bar, axes, rake }) => {
             figure.bar.value = bar;
             figure.axes.value = axes;

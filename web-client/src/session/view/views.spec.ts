@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { readPageView } from '../../state/pageView.ts';
 import { AppState } from '../../state/appState.ts';
+import { plainBody } from '../../state/bodyLook.ts';
 import { usualLook } from '../../state/surfaceLook.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { surfaceOf } from '../../testing/records.ts';
@@ -78,18 +79,21 @@ describe('the view of a session that is made again', () => {
     });
 });
 
-describe('the flow along the body', () => {
-    it('is in the view while it is shown, and goes with a view that does not have it', () => {
+describe('the look of the body', () => {
+    it('is in the view while it is not the usual, and goes with a view that does not have it', () => {
         const [state, view] = [new AppState(), new ViewState()];
         const url = { token: null, session: null, dataset: null, state: null };
         const views = new Views({ state, view, scene: sceneWith({}), url });
-        expect(views.current()).not.toHaveProperty('bodyTexture');
-        view.bodyTexture.value = true;
+        expect(views.current()).not.toHaveProperty('body');
+        const coloured = { ...plainBody, texture: true, colourBy: 'field:p', range: [-1, 2] } as const;
+        view.body.value = coloured;
         const kept = readPageView(JSON.parse(JSON.stringify(views.current())));
         views.show({ looks: {} });
-        expect(view.bodyTexture.value).toBe(false);
+        expect(view.body.value).toEqual(plainBody);
         views.show(kept);
-        expect(view.bodyTexture.value).toBe(true);
+        expect(view.body.value).toEqual(coloured);
+        views.show(readPageView({ looks: {}, bodyTexture: true }));
+        expect(view.body.value).toEqual({ ...plainBody, texture: true });
     });
 });
 

@@ -6,6 +6,7 @@ import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
+import { decodeBody, encodeBody, plainBody } from '../../state/bodyLook.ts';
 import {
     decodeVisibility,
     encodeVisibility,
@@ -54,7 +55,7 @@ export class Views {
         effect(() => {
             // Whatever of these changes, the address does.
             void [state.session.value, state.rakes.value, state.surfaces.value, state.activeSurface.value];
-            void [view.looks.value, view.clip.value, view.bodyTexture.value, view.visibility.value];
+            void [view.looks.value, view.clip.value, view.body.value, view.visibility.value];
             this.changed();
         });
     }
@@ -77,13 +78,13 @@ export class Views {
             ...(surface === null ? {} : { surface }),
             looks: Object.fromEntries(looks) as Record<string, Partial<SurfaceLook>>,
             ...(clip === noClip ? {} : { clip }),
-            ...(view.bodyTexture.value ? { bodyTexture: true as const } : {}),
+            ...(view.body.value === plainBody ? {} : { body: encodeBody(view.body.value) }),
             ...(shown === undefined ? {} : { shown }),
             ...(masks.length === 0 ? {} : { masks: Object.fromEntries(masks) }),
         };
     }
 
-    show({ camera, surface, looks, clip, bodyTexture, masks = {}, shown }: PageView): void {
+    show({ camera, surface, looks, clip, body, masks = {}, shown }: PageView): void {
         const { state, view, scene } = this.options;
         if (camera !== undefined) {
             view.orthographic.value = camera.orthographic;
@@ -93,7 +94,7 @@ export class Views {
         if (looks !== undefined) {
             view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, decodeLook(look)]));
             view.clip.value = clip ?? noClip;
-            view.bodyTexture.value = bodyTexture === true;
+            view.body.value = body === undefined ? plainBody : decodeBody(body);
             view.visibility.value = decodeVisibility(shown);
         }
         for (const [id, code] of Object.entries(masks)) scene.surfaces.setMask(id, code);

@@ -1,50 +1,21 @@
 // Shows how the selected surface looks: the colours first, everything else in groups that open.
-import { css, html, nothing, type TemplateResult } from 'lit';
-import type { BodyFlow } from '../../session/picture/bodyFlow.ts';
+import { css, html, type TemplateResult } from 'lit';
 import type { AppState } from '../../state/appState.ts';
 import type { BackSide, SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, type Choice, selectRow, sliderRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
+import './bodyPanel.ts';
+import type { BodyModel } from './bodyPanel.ts';
 import './colourPanel.ts';
 import type { ColourModel } from './colourPanel.ts';
 import './cutPanels.ts';
 import type { ClipModel, WindowsModel } from './cutPanels.ts';
 import './linesPanel.ts';
 import type { LinesModel } from './linesPanel.ts';
-import { LookGroup, lookStyles } from './lookStyles.ts';
+import { LookGroup } from './lookStyles.ts';
 import './paintPanel.ts';
 import type { PaintModel } from './paintPanel.ts';
-
-export interface BodyModel {
-    state: Pick<AppState, 'dataset'>;
-    view: Pick<ViewState, 'bodyTexture'>;
-    bodyFlow: Pick<BodyFlow, 'status'>;
-}
-
-const bodyWords = {
-    off: '',
-    waiting: 'The flow along the body is on its way.',
-    shown: 'The velocity is that a quarter of a cell off the body. Where the clock runs, the texture goes with the flow.',
-    failed: 'The server did not send the flow along the body at this time.',
-};
-
-export class BodyPanel extends ModelElement<BodyModel> {
-    static override styles = lookStyles;
-
-    override render(): TemplateResult {
-        const { state, view, bodyFlow } = this.model;
-        const { bodyTexture } = view;
-        const none = state.dataset.value?.obstacle !== true;
-        const said = none ? 'There is no body in this dataset.' : bodyWords[bodyFlow.status.value];
-        return html`
-            ${checkRow('Show the flow along the body', bodyTexture.value, (on) => (bodyTexture.value = on), { id: 'body-texture', disabled: none })}
-            ${said === '' ? nothing : html`<p class="quiet" role="status">${said}</p>`}
-        `;
-    }
-}
-
-customElements.define('wakesurf-body', BodyPanel);
 
 /** What its groups take: all of them are about the same surface. */
 export type LookModel = ColourModel & OpacityModel & LinesModel & WindowsModel & ClipModel & BodyModel & PaintModel;

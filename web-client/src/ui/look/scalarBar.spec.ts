@@ -1,15 +1,21 @@
 // @vitest-environment happy-dom
+import { signal } from '@preact/signals-core';
 import { expect, it } from 'vitest';
 import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
 import { plainStyle } from '../../scene/surface/surfaceStyle.ts';
 import { PageBench } from '../../testing/pageBench.ts';
+import type { BodySpan } from '../../session/picture/bodyFields.ts';
 import { ShownPanel } from '../../testing/shownPanel.ts';
 import './scalarBar.ts';
 
-async function barOf(drawn: Partial<SurfaceSpan>): Promise<ShownPanel> {
+async function barOf(drawn: Partial<SurfaceSpan>, body: BodySpan | null = null): Promise<ShownPanel> {
     const span = { colours: [0, 2], t: [0, 1], s: [0, 1], age: [0, 1], style: plainStyle, lacks: '', ...drawn };
     const bench = new PageBench();
-    return ShownPanel.of('wakesurf-scalar-bar', { ...bench, scene: { surfaces: { spanOf: () => span } } });
+    return ShownPanel.of('wakesurf-scalar-bar', {
+        ...bench,
+        scene: { surfaces: { spanOf: () => span } },
+        bodyFields: { span: signal(body) },
+    });
 }
 
 it('the scalar bar says what a surface has no values of, and has no colours for it', async () => {
@@ -26,4 +32,11 @@ it('the scalar bar is not there where one colour was chosen, and has colours whe
     const bar = await barOf({});
     expect(bar.all('figure')).toHaveLength(1);
     expect(bar.text).not.toContain('no values');
+});
+
+it('the scalar bar has colours of the body below those of surfaces', async () => {
+    const bar = await barOf({}, { field: 'p', colours: [-3, 1], beyond: [null, 7] });
+    expect(bar.all('figure')).toHaveLength(2);
+    const [, ofBody] = bar.all('figure');
+    expect(ofBody?.getAttribute('aria-label')).toBe('Colours: p from −3 to 1, of the body, the last 1 %: to 7');
 });

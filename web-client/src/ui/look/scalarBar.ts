@@ -2,12 +2,12 @@
 // can be read aloud.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, colourTicks, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
-import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
 import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import type { BodyFields } from '../../session/picture/bodyFields.ts';
 import { intervalError } from '../../session/picture/surfaceStyleOf.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import { colourTitle } from './colourNames.ts';
@@ -17,6 +17,7 @@ export interface ScalarBarModel {
     state: AppState;
     view: ViewState;
     scene: Pick<FlowScene, 'surfaces'>;
+    bodyFields: Pick<BodyFields, 'span'>;
 }
 
 const rangeWords = {
@@ -25,14 +26,16 @@ const rangeWords = {
     data: 'of all the data',
     locked: 'locked',
     film: 'of the whole film',
+    body: 'of the body',
 };
 /** More would cover the picture. */
 const barsAtMost = 4;
 
-/** What a bar shows, of all surfaces that it is true of. */
-interface Bar {
+/** What a bar shows, of all that it is true of. */
+interface Bar extends Pick<SurfaceStyle, 'map' | 'inverted' | 'logarithmic' | 'beyond'> {
     title: string;
-    span: SurfaceSpan;
+    colours: readonly [number, number];
+    rangeOf: keyof typeof rangeWords | null;
     of: string[];
 }
 
@@ -135,22 +138,45 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             const span = scene.surfaces.spanOf(id);
             if (record === undefined || span === null) continue;
             const { style, colours, lacks } = span;
+            const { map, inverted, logarithmic, beyond } = style;
             const titleOf = (shown: Pick<SurfaceStyle, 'source' | 'scalar'>): string =>
                 colourTitle(shown, state.dataset.value, record.kind, view.units.value);
             if (lacks !== '') this.missing.add(titleOf({ source: 'scalar', scalar: lacks }));
             if (style.source === 'constant') continue;
             const title = titleOf(style);
-            const key = JSON.stringify([title, colours, style.map, style.inverted, style.logarithmic, style.rangeOf]);
+            const key = JSON.stringify([title, colours, map, inverted, logarithmic, style.rangeOf]);
             const of = state.rakes.value.get(record.rake)?.name || record.rake;
             const held = bars.get(key);
-            if (held === undefined) bars.set(key, { title, span, of: [of] });
+            const rangeOf = style.source === 'scalar' || style.rangeOf === 'film' ? style.rangeOf : null;
+            if (held === undefined) bars.set(key, { title, colours, map, inverted, logarithmic, beyond, rangeOf, of: [of] });
             else if (!held.of.includes(of)) held.of.push(of);
         }
-        return [...bars.values()];
+        return [...bars.values(), ...this.bodyBar()];
     }
 
-    private bar({ title, span, of }: Bar, severalBars: boolean): TemplateResult {
-        const { colours, style } = span;
+    private bodyBar(): Bar[] {
+        const { state, view, bodyFields } = this.model;
+        const span = bodyFields.span.value;
+        if (span === null) return [];
+        const { map, invert: inverted, range } = view.body.value;
+        const { field, colours, beyond } = span;
+        const scalar = field === state.dataset.value?.velocity ? 'speed' : field;
+        const title = colourTitle({ source: 'scalar', scalar }, state.dataset.value, undefined, view.units.value);
+        return [
+            {
+                title,
+                colours,
+                beyond,
+                map,
+                inverted,
+                logarithmic: false,
+                rangeOf: range === null ? 'body' : 'locked',
+                of: ['Body'],
+            },
+        ];
+    }
+
+    private bar({ title, colours, of, rangeOf, ...style }: Bar, severalBars: boolean): TemplateResult {
         const [low, high] = colours;
         const scale = style.logarithmic ? ', logarithmic' : '';
         const resolution = resolutionOf(low, high);
@@ -169,7 +195,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
                   : less !== null
                     ? `the last 1 %: from ${less}`
                     : '';
-        const whose = style.source === 'scalar' || style.rangeOf === 'film' ? rangeWords[style.rangeOf] : '';
+        const whose = rangeOf === null ? '' : rangeWords[rangeOf];
         const { ticks, shared } = colourTicks(low, high, style.logarithmic, 5);
         const said = [`${title} from ${from} to ${to}${scale}`, whose, beyond].filter((each) => each !== '').join(', ');
         return html`<figure aria-label=${`Colours: ${said}`} data-table=${`${style.map} ${style.inverted}`}>
@@ -197,7 +223,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         }
         this.renderRoot.querySelectorAll('figure').forEach((figure, i) => {
             const canvas = figure.querySelector('canvas');
-            const style = this.bars[i]?.span.style;
+            const style = this.bars[i];
             // Ranges change with every state, colours seldom.
             if (canvas === null || style === undefined || canvas.dataset['painted'] === figure.dataset['table']) return;
             canvas.dataset['painted'] = figure.dataset['table'];

@@ -1,0 +1,184 @@
+// The values along the body, for its texture and its colours: asked for while they are wanted, at the time of the picture. One
+// request at a time; of what comes meanwhile only the newest is asked for.
+import { computed, effect, signal } from '@preact/signals-core';
+import type { BodyValues } from '../../mesh/meshChange.ts';
+import { niceStep } from '../../scene/base/numbers.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import { drawnRange, steadyRange } from '../../scene/surface/colourMap.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import { attributeOf, isSigned } from './surfaceStyleOf.ts';
+
+export interface BodyFieldsOptions {
+    state: Pick<AppState, 'dataset' | 'datasetEntry' | 'notices' | 'stage' | 'times'>;
+    view: Pick<ViewState, 'body'>;
+    scene: Pick<FlowScene, 'setBodyColours' | 'setBodyTime' | 'setBodyValues'>;
+    worker: Pick<WorkerClient, 'bodyValues'>;
+    /** Returns the time of the picture; no number where nothing has one. */
+    time: () => number;
+    /** A clock moves it. */
+    moves: () => boolean;
+}
+
+const about = 'body values';
+/** More lines of equal values run into each other. */
+const contourLines = 15;
+
+/** What is wanted: the same again is not asked for twice. */
+interface Wish {
+    key: string;
+    time: number;
+    /** As the server knows it; empty: the flow alone. */
+    field: string;
+}
+
+/** What a field's values on the body lie between. */
+export interface BodyExtent {
+    least: number;
+    greatest: number;
+    /** Without the last hundredth at each end. */
+    most: readonly [number, number];
+}
+
+export interface BodySpan {
+    /** As the server knows it. */
+    field: string;
+    /** What both ends of the colours stand for. */
+    colours: readonly [number, number];
+    /** The least and the greatest value, where they lie beyond colours that nobody has chosen. */
+    beyond: readonly [number | null, number | null];
+}
+
+export class BodyFields {
+    /** failed: the server did not send them for this time. */
+    readonly status = computed((): 'off' | 'waiting' | 'shown' | 'failed' => {
+        const wish = this.wish.value;
+        if (wish === null) return 'off';
+        if (this.answered.value !== wish.key) return 'waiting';
+        return this.failed.value ? 'failed' : 'shown';
+    });
+    /** Null where no field colours the body, or it has no values. */
+    readonly span = computed((): BodySpan | null => {
+        const [field, extent] = [this.field.value, this.extent.value];
+        if (field === '' || extent === null || extent.field !== field) return null;
+        const { colourBy, range } = this.options.view.body.value;
+        const colours = range ?? drawnRange(usualRange(extent), false, isSigned(colourBy) ? 0 : null);
+        const [low, high] = colours;
+        return {
+            ...{ field, colours },
+            beyond: [
+                range === null && extent.least < low ? extent.least : null,
+                range === null && extent.greatest > high ? extent.greatest : null,
+            ],
+        };
+    });
+    private readonly options: BodyFieldsOptions;
+    /** The key of the wish that was answered last. */
+    private readonly answered = signal('');
+    private readonly failed = signal(false);
+    private readonly extent = signal<(BodyExtent & { field: string }) | null>(null);
+    private asking = false;
+
+    constructor(options: BodyFieldsOptions) {
+        this.options = options;
+        const { state, scene, view } = options;
+        effect(() => {
+            const [first = 0] = state.times.value;
+            scene.setBodyTime(options.moves() ? this.time() - first : null);
+        });
+        effect(() => {
+            const wish = this.wish.value;
+            if (wish === null) this.forget();
+            // What is on the screen stays while the server does not hear.
+            else if (state.stage.value === 'running') void this.ask();
+        });
+        effect(() => {
+            const span = this.span.value;
+            const { map, invert, contours } = view.body.value;
+            if (span === null) return;
+            const [low, high] = span.colours;
+            const contourStep = contours ? niceStep((high - low) / contourLines) : 0;
+            scene.setBodyColours({ map, inverted: invert, range: span.colours, contourStep });
+        });
+    }
+
+    private readonly field = computed((): string => {
+        const attribute = attributeOf(this.options.view.body.value.colourBy) ?? '';
+        return attribute === 'speed' ? (this.options.state.dataset.value?.velocity ?? '') : attribute;
+    });
+
+    private readonly wish = computed((): Wish | null => {
+        const { state, view } = this.options;
+        const dataset = state.dataset.value;
+        const field = this.field.value;
+        if ((!view.body.value.texture && field === '') || dataset?.obstacle !== true) return null;
+        const times = state.times.value;
+        const [first, last] = [times[0] ?? 0, times.at(-1) ?? 0];
+        // A flow that stands still is the same at all times.
+        const time = dataset.steady ? first : Math.min(last, Math.max(first, this.time()));
+        const key = JSON.stringify([dataset.dataset, state.datasetEntry.value?.values, time, field, view.body.value.texture]);
+        return { key, time, field };
+    });
+
+    private time(): number {
+        const time = this.options.time();
+        return Number.isFinite(time) ? time : (this.options.state.times.value[0] ?? 0);
+    }
+
+    private forget(): void {
+        const { scene, state } = this.options;
+        this.answered.value = '';
+        this.extent.value = null;
+        scene.setBodyValues(null, false);
+        state.notices.solved(about);
+    }
+
+    private async ask(): Promise<void> {
+        if (this.asking) return;
+        this.asking = true;
+        const { state, worker, scene, view } = this.options;
+        for (let wish = this.next(); wish !== null; wish = this.next()) {
+            const { dataset, lattice } = state.dataset.value!;
+            let failure: unknown = null;
+            const values = await worker.bodyValues(dataset, lattice, wish.time, wish.field).catch((error: unknown) => {
+                failure = error ?? new Error('The values along the body could not be loaded.');
+                return null;
+            });
+            // Switched off, or another dataset, meanwhile.
+            if (this.wish.value === null || state.dataset.value?.dataset !== dataset) continue;
+            if (failure === null) {
+                this.show(values, wish.field);
+                scene.setBodyValues(values, view.body.value.texture);
+                state.notices.solved(about);
+            } else state.notices.tell(about, failure);
+            this.failed.value = failure !== null;
+            this.answered.value = wish.key;
+        }
+        this.asking = false;
+    }
+
+    private show(values: BodyValues | null, field: string): void {
+        const extent = values?.field === null || values === null ? null : extentOf(values.field);
+        this.extent.value = extent === null ? null : { ...extent, field };
+    }
+
+    private next(): Wish | null {
+        const wish = this.wish.value;
+        return wish === null || wish.key === this.answered.value || this.options.state.stage.value !== 'running' ? null : wish;
+    }
+}
+
+/** Null without a value. */
+export function extentOf(values: Float32Array): BodyExtent | null {
+    const known = values.filter((value) => Number.isFinite(value)).sort();
+    if (known.length === 0) return null;
+    const at = (part: number): number => known[Math.round(part * (known.length - 1))]!;
+    return { least: at(0), greatest: at(1), most: [at(0.01), at(0.99)] };
+}
+
+/** All values; without the last hundredth at each end where those take more than half of the range: at edges of bodies a few are far
+ *  larger than all others. */
+function usualRange({ least, greatest, most: [low, high] }: BodyExtent): [number, number] {
+    return greatest - least > 2 * (high - low) && high > low ? steadyRange(low, high) : steadyRange(least, greatest);
+}

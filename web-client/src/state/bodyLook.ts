@@ -1,0 +1,43 @@
+// How a user wants the body to look: kept as surfaceLook.ts is.
+import { changesFrom, colourMaps, type ColourMap, isFlag, isName, isOneOf, isSpan, readChanges } from './surfaceLook.ts';
+
+export interface BodyLook {
+    /** The flow along it is shown. */
+    texture: boolean;
+    /** As of a surface; 'constant': grey. */
+    colourBy: string;
+    map: ColourMap;
+    invert: boolean;
+    /** Locked; null: from the least to the greatest on the body. */
+    range: readonly [number, number] | null;
+    /** Lines of equal values. */
+    contours: boolean;
+}
+
+export const plainBody: BodyLook = {
+    texture: false,
+    colourBy: 'constant',
+    map: 'viridis',
+    invert: false,
+    range: null,
+    contours: false,
+};
+
+const checks: Record<keyof BodyLook, (value: unknown) => boolean> = {
+    texture: isFlag,
+    colourBy: isName,
+    map: isOneOf(colourMaps),
+    invert: isFlag,
+    range: isSpan,
+    contours: isFlag,
+};
+
+/** Returns what differs from the usual, for a link or a bookmark. */
+export function encodeBody(look: BodyLook): Partial<BodyLook> {
+    return changesFrom(plainBody, look);
+}
+
+/** Never throws. */
+export function decodeBody(value: unknown): BodyLook {
+    return readChanges(plainBody, checks, value);
+}

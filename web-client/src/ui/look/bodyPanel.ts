@@ -1,0 +1,87 @@
+// Shows how the body looks: the field that colours it, lines of equal values, the flow along it.
+import { html, nothing, type TemplateResult } from 'lit';
+import type { BodyFields } from '../../session/picture/bodyFields.ts';
+import { canCome, colourByField, colourFields, isSigned, qCriterion, vorticity } from '../../session/picture/surfaceStyleOf.ts';
+import { isolated } from '../../state/announcements.ts';
+import type { AppState } from '../../state/appState.ts';
+import { type BodyLook } from '../../state/bodyLook.ts';
+import { colourMaps } from '../../state/surfaceLook.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { checkRow, type Choice, pairRow, selectRow } from '../base/rows.ts';
+import { ModelElement } from '../base/signalElement.ts';
+import { mapNames } from './colourNames.ts';
+import { lookStyles } from './lookStyles.ts';
+
+export interface BodyModel {
+    state: Pick<AppState, 'dataset'>;
+    view: Pick<ViewState, 'body'>;
+    bodyFields: Pick<BodyFields, 'span' | 'status'>;
+}
+
+const place = 'Values are those a quarter of a cell off the body, or a whole one where cells of a grid are in it.';
+const shear = ' At a wall at which the fluid rests, vorticity is the shear rate: times the viscosity, the wall shear stress.';
+const flowing = ' Where the clock runs, the texture goes with the flow.';
+
+export class BodyPanel extends ModelElement<BodyModel> {
+    static override styles = lookStyles;
+
+    override render(): TemplateResult {
+        const { state, view, bodyFields } = this.model;
+        const body = view.body.value;
+        const dataset = state.dataset.value;
+        if (dataset?.obstacle !== true) return html`<p class="quiet">There is no body in this dataset.</p>`;
+        const span = bodyFields.span.value;
+        return html`
+            ${selectRow('body-colour-by', 'Colour by', this.choices(), body.colourBy, (colourBy) => this.colourBy(colourBy))}
+            ${body.colourBy === 'constant' ? nothing : this.colours(body, span?.colours ?? [0, 1])}
+            ${checkRow('Show the flow along the body', body.texture, (texture) => this.change({ texture }), { id: 'body-texture' })}
+            ${this.said(body)}
+        `;
+    }
+
+    private choices(): Choice<string>[] {
+        const dataset = this.model.state.dataset.value;
+        return [
+            { value: 'constant', words: 'Grey' },
+            ...colourFields(dataset).map(({ name }) => ({ value: colourByField(name), words: isolated(name) })),
+            { value: 'speed', words: 'Speed' },
+            ...(canCome(dataset, vorticity) ? [{ value: vorticity, words: 'Vorticity (magnitude)' }] : []),
+            ...(canCome(dataset, qCriterion) ? [{ value: qCriterion, words: 'Vortices (Q)' }] : []),
+        ];
+    }
+
+    private colours(body: BodyLook, range: readonly [number, number]): TemplateResult {
+        const maps = colourMaps.map((map) => ({ value: map, words: mapNames[map] }));
+        const locked = body.range !== null;
+        return html`
+            ${selectRow('body-map', 'Colours', maps, body.map, (map) => this.change({ map }))}
+            ${pairRow('body-range', 'Range', range, (pair) => this.change({ range: pair }))}
+            ${checkRow(locked ? 'Range locked at' : 'Lock the range', locked, (on) => this.change({ range: on ? range : null }), { id: 'body-lock' })}
+            ${checkRow('Inverted', body.invert, (invert) => this.change({ invert }), { id: 'body-invert' })}
+            ${checkRow('Lines of equal values', body.contours, (contours) => this.change({ contours }), { id: 'body-contours' })}
+        `;
+    }
+
+    private said(body: BodyLook): TemplateResult | typeof nothing {
+        const { span, status } = this.model.bodyFields;
+        const none = body.colourBy !== 'constant' && span.value === null ? ' The field has no value there.' : '';
+        const words = {
+            off: '',
+            waiting: 'The values along the body are on their way.',
+            shown: `${place}${body.colourBy === vorticity ? shear : ''}${body.texture ? flowing : ''}${none}`,
+            failed: 'The server did not send the values along the body at this time.',
+        }[status.value];
+        return words === '' ? nothing : html`<p class="quiet" role="status">${words}</p>`;
+    }
+
+    private colourBy(colourBy: string): void {
+        this.change({ colourBy, range: null, map: isSigned(colourBy) ? 'coolToWarm' : 'viridis' });
+    }
+
+    private change(change: Partial<BodyLook>): void {
+        const { view } = this.model;
+        view.body.value = { ...view.body.value, ...change };
+    }
+}
+
+customElements.define('wakesurf-body', BodyPanel);
