@@ -5,15 +5,13 @@
 #include "core/base/result.hpp"
 #include "core/base/rounding.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
-#include "core/surface/obstacle_surface.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "protocol/files/surface_lines.hpp"
-#include "protocol/wire/bytes.hpp"
-#include "protocol/wire/mesh_encoder.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/split.hpp"
 #include "server/data/open_dataset.hpp"
+#include "server/live/body_frames.hpp"
 #include "server/live/surface_build.hpp"
 #include "server/live/surface_file.hpp"
 #include "server/net/download_request.hpp"
@@ -36,27 +34,6 @@ using core::fail;
 
 namespace {
 
-/// Returns the surface at which particles stop, for display: that of the solid nodes, or the walls of the
-/// store or of a built-in flow.
-core::Result<core::QuadComplex> obstacle_of(const LoadedDataset& dataset) {
-    const auto none = fail(Error::Code::NotFound, "the dataset has no obstacle",
-                           "`dataset.describe` says whether it has one");
-    const store::StoreReader* store = dataset.store.get();
-    if (store != nullptr && !store->mask().empty())
-        return core::obstacle_surface(store->grid(), store->mask());
-    const auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
-    if (!walls)
-        return tl::unexpected(walls.error());
-    if (walls->triangles.empty())
-        return none;
-    return core::wall_surface(*walls);
-}
-
-/// The memory for the mesh, its frames and intermediate data, in bytes a vertex.
-constexpr std::size_t obstacle_bytes = 400;
-/// The additional memory for velocity, speed, s and t, as numbers and as codes, in bytes a vertex.
-constexpr std::size_t flow_bytes = core::wall_velocity_bytes + 100;
-
 /// Returns the time at which the data have the flow for a request at `time`: the same, or the one time of a
 /// steady flow. Error: OutOfTime.
 core::Result<double> time_in_data(const LoadedDataset& dataset, double time) {
@@ -71,46 +48,6 @@ core::Result<double> time_in_data(const LoadedDataset& dataset, double time) {
                     fmt::format("time {} is outside the data's {} to {}", time, first, last),
                     "choose `time` inside it");
     return std::clamp(time, first, last);
-}
-
-/// Returns the frames of one KEY, each preceded by its length. protocol/wire/README.md, Obstacle file. Error:
-/// NotFound without an obstacle, OverLimit, and as sampling and encoding.
-/// @param time   as time_in_data returns it; empty: without the flow
-/// @param share  is grown to the memory needed
-core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
-                                          std::optional<double> time,
-                                          const core::MemoryAccount& account,
-                                          core::MemoryAccount::Share& share,
-                                          const std::stop_token& stop) {
-    auto mesh = obstacle_of(dataset);
-    if (!mesh)
-        return tl::unexpected(mesh.error());
-    const std::size_t needed = mesh->vertices() * (obstacle_bytes + (time ? flow_bytes : 0));
-    if (!share.grow_to(needed))
-        return tl::unexpected(account.refusal("the file of this obstacle", needed));
-    protocol::EncodeOptions options;
-    options.final = true;
-    options.attributes = time.has_value();
-    protocol::MeshFields fields;
-    if (time) {
-        options.time = *time;
-        if (auto added = core::add_wall_velocity(*mesh, *dataset.flow, *time, stop); !added)
-            return tl::unexpected(added.error());
-        for (const std::string_view name : core::velocity_component_names)
-            fields.push_back(*core::vertex_component(*mesh, name));
-    }
-    const auto state = protocol::encode_state(
-        *mesh, protocol::lattice_over(dataset.info.bounds, dataset.info.periodic), options, fields);
-    if (!state)
-        return tl::unexpected(state.error());
-    std::string out;
-    for (const auto& frame : state->frames) {
-        protocol::Bytes length;
-        protocol::append(length, static_cast<std::uint32_t>(frame->size()));
-        out.append(reinterpret_cast<const char*>(length.data()), length.size());
-        out.append(reinterpret_cast<const char*>(frame->data()), frame->size());
-    }
-    return out;
 }
 
 /// Returns the key for taking turns in the pool: one file of each link and session at a time, beside the
@@ -260,7 +197,7 @@ void Downloads::obstacle(const HttpRequest& request,
         "obstacle " + id + " " + values_of(**dataset) + when, turns_of("", identity),
         [loaded = *dataset, time, &account = account_](const std::stop_token& stop,
                                                        core::MemoryAccount::Share& share) {
-            return obstacle_frames(*loaded, time, account, share, stop);
+            return body_frames(*loaded, time, account, share, stop);
         },
         request.gone,
         [this, respond, request, identity, id, data = *dataset](const core::Result<File>& file) {
