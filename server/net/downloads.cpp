@@ -14,6 +14,7 @@
 #include "server/live/body_frames.hpp"
 #include "server/live/surface_build.hpp"
 #include "server/live/surface_file.hpp"
+#include "server/net/asked_surface.hpp"
 #include "server/net/download_request.hpp"
 
 #include <fmt/format.h>
@@ -48,12 +49,6 @@ core::Result<double> time_in_data(const LoadedDataset& dataset, double time) {
                     fmt::format("time {} is outside the data's {} to {}", time, first, last),
                     "choose `time` inside it");
     return std::clamp(time, first, last);
-}
-
-/// Returns the key for taking turns in the pool: one file of each link and session at a time, beside the
-/// surfaces on display.
-std::string turns_of(const std::string& session, const Identity& identity) {
-    return "\n" + session + "\n" + identity.grant; // no session has such a name
 }
 
 /// Holds the input of a file. Finished meshes are not kept: 100 MB a million quads.
@@ -96,15 +91,13 @@ protocol::Recipe recipe_of_download(const core::SurfacePlan& plan,
 }
 
 /// Returns a tag that changes with everything that the file's bytes depend on.
-/// @param steps   the number of readable time-steps of the dataset, which may grow
-/// @param values  identifies the values of the dataset
+/// @param data  identifies the values of the dataset, and its time-steps, of which there may be more later
 std::string tag_of(const protocol::SurfaceRecord& record,
                    const SurfaceJob& job,
                    const DownloadRequest& request,
                    std::optional<double> time,
                    const std::optional<SurfacePass>& early,
-                   std::size_t steps,
-                   const std::string& values) {
+                   const std::string& data) {
     std::string all = protocol::json_text(protocol::written(record));
     for (const core::Rake* rake :
          {&job.plan.rake, job.plan.parameters.rake2 ? &*job.plan.parameters.rake2 : nullptr})
@@ -113,7 +106,7 @@ std::string tag_of(const protocol::SurfaceRecord& record,
             for (const core::Vec3& p : rake->points)
                 all += fmt::format(" {},{},{}", p.x, p.y, p.z);
         }
-    all += fmt::format("|{} {} {}", steps, values, WAKESURF_VERSION);
+    all += fmt::format("|{} {}", data, WAKESURF_VERSION);
     all += "|" + request.lines;
     if (request.tessellate > 1)
         all += fmt::format("|tessellate {}", request.tessellate);
@@ -146,9 +139,11 @@ Downloads::Downloads(Loop& loop,
                      ComputePool& pool,
                      const SessionDirectory& sessions,
                      const DatasetCatalogue& catalogue,
-                     const core::MemoryAccount& account)
+                     const core::MemoryAccount& account,
+                     File viewer)
     : sessions_(sessions), catalogue_(catalogue), account_(account), files_(loop, pool, &account_),
-      numbers_(sessions_, catalogue_, account_, files_) {}
+      numbers_(sessions_, catalogue_, account_, files_),
+      animations_(sessions_, catalogue_, account_, files_, std::move(viewer)) {}
 
 bool Downloads::handle(const HttpRequest& request,
                        const Identity& identity,
@@ -161,6 +156,9 @@ bool Downloads::handle(const HttpRequest& request,
     else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
              parts[5] == "surfaces" && parts[7] == numbers_file)
         numbers_.get(request, identity, part(4), part(6), respond);
+    else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
+             parts[5] == "surfaces" && parts[7] == animation_file)
+        animations_.get(request, identity, part(4), part(6), respond);
     else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
              parts[5] == "surfaces")
         surface(request, identity, {part(4), part(6), part(7)}, respond);
@@ -221,53 +219,43 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const auto wanted = read_download(place.file, *query);
     if (!wanted)
         return tl::unexpected(wanted.error());
-    const auto session = sessions_.find(place.session);
-    if (!session)
-        return tl::unexpected(session.error());
-    const auto record = (*session)->records().get<protocol::SurfaceRecord>(place.surface);
-    if (!record)
-        return tl::unexpected(record.error());
+    const auto asked = find_surface(sessions_, catalogue_, place.session, place.surface);
+    if (!asked)
+        return tl::unexpected(asked.error());
+    const protocol::SurfaceRecord& record = asked->record;
+    const LiveSurface& live = *asked->live;
+    const auto early = wanted->now ? live.early() : std::nullopt;
     // An error of the surface, for example that a user has stopped it, holds for its file as well.
-    const auto live = (*session)->live(place.surface);
-    if (!live)
-        return tl::unexpected(live.error());
-    const auto early = wanted->now ? (*live)->early() : std::nullopt;
-    if (const auto wrong = (*live)->outcome().error;
+    if (const auto wrong = live.outcome().error;
         wrong && !(early && wrong->code == Error::Code::Cancelled))
         return tl::unexpected(*wrong);
-    const auto dataset = catalogue_.find(record->dataset);
-    if (!dataset)
-        return tl::unexpected(dataset.error());
-    SurfaceJob job = (*live)->wanted();
+    SurfaceJob job = live.wanted();
     if (early)
         job.plan = early_plan(std::move(job.plan), *early);
     else // a fast surface would differ for it
         job.plan.parameters.deformation = true;
     job.plan.parameters.tangents =
-        wanted->tessellate > 1 || std::ranges::any_of(record->fields, core::is_normal_component);
+        wanted->tessellate > 1 || std::ranges::any_of(record.fields, core::is_normal_component);
     if (!wanted->lines.empty())
         if (const auto read =
                 protocol::read_lines(wanted->lines, job.plan.parameters.kind, wanted->format);
             !read)
             return tl::unexpected(read.error());
-    auto time = shown_at(*wanted, job.plan.parameters, (*session)->clock().time());
+    auto time = shown_at(*wanted, job.plan.parameters, asked->session->clock().time());
     if (!time)
         return tl::unexpected(time.error());
     if (early && job.plan.parameters.kind != core::SurfaceKind::Path)
         time->reset(); // it ends there
-    const auto status = catalogue_.status(record->dataset);
-    const std::string tag =
-        tag_of(*record, job, *wanted, *time, early, status ? status->steps_ready : 0,
-               values_of(**dataset) + ((*dataset)->scalars ? (*dataset)->scalars->mark() : ""));
+    const std::string tag = tag_of(record, job, *wanted, *time, early, asked->data_mark);
     if (request.has(tag)) {
         respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
         return {};
     }
-    const auto stay = (*session)->attendance().stay();
+    const auto stay = asked->session->attendance().stay();
     files_.get(
         tag + place.session, turns_of(place.session, identity),
-        [file = FileJob{job.plan, *dataset,
-                        recipe_of_download(job.plan, **dataset, *record, *wanted, *time,
+        [file = FileJob{job.plan, asked->dataset,
+                        recipe_of_download(job.plan, *asked->dataset, record, *wanted, *time,
                                            early.has_value()),
                         job.twin, &account_}](const std::stop_token& stop,
                                               core::MemoryAccount::Share& share) {
@@ -275,7 +263,8 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         },
         request.gone,
         [this, respond, name = place.surface + (early ? "-coarse" : ""), format = wanted->format,
-         tag, stay, request, identity, place, data = *dataset](const core::Result<File>& file) {
+         tag, stay, request, identity, place,
+         data = asked->dataset](const core::Result<File>& file) {
             if (replaced(*data)) // while it was made
                 return surface(request, identity, place, respond);
             respond(file ? file_response(name, format, tag, *file) : http_error(file.error()));
