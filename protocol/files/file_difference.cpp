@@ -1,7 +1,9 @@
 #include "protocol/files/file_difference.hpp"
 
 #include "core/base/plain_text.hpp"
+#include "protocol/files/animation_page.hpp"
 #include "protocol/files/base64.hpp"
+#include "protocol/files/mesh_file.hpp"
 #include "protocol/files/recipe.hpp"
 
 #include <fmt/format.h>
@@ -358,7 +360,9 @@ std::string glb_difference(string_view given, string_view right, std::size_t at)
 
 } // namespace
 
-FileDifference first_difference(MeshFormat format, string_view given, string_view right) {
+FileDifference first_difference(string_view format, string_view given, string_view right) {
+    if (format == animation_extension)
+        return {animation_difference(given, right)};
     const std::size_t at = first_mismatch(given, right);
     if (at == given.size() && at == right.size())
         return {};
@@ -369,7 +373,7 @@ FileDifference first_difference(MeshFormat format, string_view given, string_vie
     for (const FoundRecipe& each : find_recipes(right).sound)
         if (at >= each.begin && at < each.end)
             return {fmt::format("its recipe differs, at byte {}", at)};
-    switch (format) {
+    switch (mesh_format(format).value_or(MeshFormat::Drc)) {
     case MeshFormat::Ply:
         return {ply_difference(given, right, at)};
     case MeshFormat::Obj:

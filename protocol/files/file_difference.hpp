@@ -1,8 +1,6 @@
 // Where two files of a surface differ, in words: the first value of a vertex or a cell that is another.
 #pragma once
 
-#include "protocol/files/mesh_file.hpp"
-
 #include <string>
 #include <string_view>
 
@@ -15,7 +13,9 @@ struct FileDifference {
 };
 
 /// Returns the first difference. Only the structure of `right` is believed, which a writer here has made; the other file may be a stranger's.
+/// @param format  extension: of a mesh file, or of an animation
 /// Cost: as comparing the bytes; where compressed arrays of a .vtp differ, as decompressing them.
-FileDifference first_difference(MeshFormat format, std::string_view given, std::string_view right);
+FileDifference
+first_difference(std::string_view format, std::string_view given, std::string_view right);
 
 } // namespace wakesurf::protocol

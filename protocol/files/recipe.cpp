@@ -89,6 +89,8 @@ void members(Io& io, Of<Io, Recipe>& of) {
     io.some("tessellate", of.tessellate, {.lo = 1, .hi = 64}, 1U);
     io.some("lines", of.lines, {.hi = 256, .text = Text::Line});
     io.some("time", of.time, {.lo = -largest_float, .hi = largest_float});
+    io.some("times", of.times);
+    io.some("look", of.look, {.hi = longest_name});
     io.some("step", of.step);
     io.some("coarse", of.coarse);
     io.some("unrepeatable", of.unrepeatable, {.hi = longest_name});

@@ -30,12 +30,15 @@ struct Recipe {
     std::uint32_t tessellate = 1;             ///< quads that each cell was cut into, each way
     std::string lines{};          ///< what was written instead of the cells; empty: the cells
     std::optional<double> time{}; ///< at which the surface is shown; empty: at its end
+    std::vector<double> times{};  ///< of the steps of an animation
+    std::string look{};           ///< of an animation, as read_look returned it
     bool step = false;          ///< one of a series of times, in which stream surfaces grow as well
     bool coarse = false;        ///< of an early pass
     std::string unrepeatable{}; ///< why making it again leads to something else; usually empty
-    std::string mesh{};         ///< of a mesh file: SHA-256 of the surface, 64 hexadecimal digits
-    std::string shape{};        ///< of a picture: the mark of what it shows, 32 digits
-    std::string rounding{};     ///< the mark of how the machine's mathematical functions round
+    /// Of a mesh file: SHA-256 of the surface, 64 hexadecimal digits; of an animation, of the frames of its steps and the body.
+    std::string mesh{};
+    std::string shape{};    ///< of a picture: the mark of what it shows, 32 digits
+    std::string rounding{}; ///< the mark of how the machine's mathematical functions round
 
     bool operator==(const Recipe&) const = default;
 };

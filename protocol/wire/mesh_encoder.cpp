@@ -16,4 +16,13 @@ core::Result<EncodedState> encode_state(const core::QuadComplex& mesh,
     });
 }
 
+void append_with_lengths(std::string& out, const SharedFrames& frames) {
+    for (const auto& frame : frames) {
+        const auto size = static_cast<std::uint32_t>(frame->size());
+        for (int shift = 0; shift < 32; shift += 8)
+            out += static_cast<char>(size >> shift & 0xffU);
+        out.append(reinterpret_cast<const char*>(frame->data()), frame->size());
+    }
+}
+
 } // namespace wakesurf::protocol

@@ -6,6 +6,7 @@
 #include "protocol/wire/mesh_stream.hpp"
 
 #include <cstdint>
+#include <string>
 
 namespace wakesurf::protocol {
 
@@ -30,5 +31,8 @@ core::Result<EncodedState> encode_state(const core::QuadComplex& mesh,
                                         const Lattice& lattice,
                                         const EncodeOptions& options,
                                         const MeshFields& fields = {});
+
+/// Appends the frames, each preceded by its length as u32: so they stand in files.
+void append_with_lengths(std::string& out, const SharedFrames& frames);
 
 } // namespace wakesurf::protocol

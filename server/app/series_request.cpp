@@ -1,5 +1,7 @@
 #include "server/app/series_request.hpp"
 
+#include "server/live/animation_file.hpp"
+
 #include <fmt/format.h>
 
 namespace wakesurf::server {
@@ -74,15 +76,10 @@ core::Result<std::optional<Series>> read_series(const std::string& output,
 }
 
 core::Result<std::vector<double>> times_of(const Series& series, const core::SurfaceParameters& p) {
-    std::vector<double> out;
     if (!series.times && series.form == Series::Form::Numbers)
         return std::vector<double>{p.to};
-    if (!series.times) {
-        for (std::size_t k = 0; k < animation_steps; ++k)
-            out.push_back(p.from + (p.to - p.from) * static_cast<double>(k) /
-                                       static_cast<double>(animation_steps - 1));
-        return out;
-    }
+    if (!series.times)
+        return even_times(p, animation_steps);
     return times_in(*series.times, p, series.form == Series::Form::Files ? most_files : most_steps,
                     "--times");
 }

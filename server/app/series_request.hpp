@@ -21,8 +21,6 @@ struct Series {
     std::optional<SeriesTimes> times{};
 };
 
-inline constexpr std::size_t animation_steps = 200; ///< without --times
-inline constexpr std::size_t most_steps = 2000;     ///< of an animation, or of numbers
 inline constexpr std::size_t most_files = 10000;
 
 /// Reads -o and --times; nothing where they name one file of one time. Error: InvalidArgument.

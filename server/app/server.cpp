@@ -374,7 +374,8 @@ struct Server::Parts {
     Dispatcher dispatcher{
         method_table(), method_context(),
         protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch}};
-    Downloads downloads{in.loop, pool, sessions, *in.catalogue, in.memory.account()};
+    Downloads downloads{
+        in.loop, pool, sessions, *in.catalogue, in.memory.account(), files.bytes(viewer_path)};
     SessionFiles session_files{in.loop, pool, sessions, datasets, journal.get()};
     Routes routes{gate,
                   in.budgets,

@@ -5,18 +5,14 @@
 #include "core/base/work_memory.hpp"
 #include "core/surface/measures/numbers_over_time.hpp"
 #include "core/surface/playback/evolution.hpp"
-#include "core/surface/time_direction.hpp"
 #include "protocol/api/generated/names.hpp"
-#include "protocol/files/animation_page.hpp"
 #include "protocol/files/numbers_csv.hpp"
-#include "server/app/animation_description.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/output_files.hpp"
 #include "server/app/progress_line.hpp"
 #include "server/app/surface_output.hpp"
-#include "server/data/datasets.hpp"
 #include "server/data/surface_scalars.hpp"
-#include "server/live/surface_animation.hpp"
+#include "server/live/animation_file.hpp"
 #include "server/live/surface_file.hpp"
 #include "server/net/static_files.hpp"
 
@@ -26,73 +22,42 @@
 
 #include <algorithm>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <thread>
 
 namespace wakesurf::server {
 
 namespace {
 
-core::Result<std::string> animation_viewer() {
-    const auto folder = find_web_client();
-    std::ifstream stream(folder / "animation.html", std::ios::binary);
-    if (folder.empty() || !stream)
-        return core::fail(core::Error::Code::NotFound,
-                          "the viewer of animations was not found beside this program",
-                          "install all of wakesurf, or build the web client: ./run");
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-}
-
-core::Result<SurfaceJob>
-job_of(const SurfaceOptions& options, const core::SurfacePlan& plan, const LoadedDataset& dataset) {
-    const OpenDataset open{
-        dataset.info,  protocol::lattice_over(dataset.info.bounds, dataset.info.periodic),
-        dataset.flow,  dataset.cache,
-        dataset.store, dataset.scalars,
-        dataset.levels};
-    return fields_once(open, options.fields).map([&](const std::vector<std::string>& names) {
-        return SurfaceJob{
-            1, 1, plan, dataset.store, dataset.scalars, fields_there(open, names), open.lattice};
-    });
-}
-
 core::Result<void> write_animation(const SurfaceOptions& options,
                                    const core::SurfacePlan& plan,
                                    const std::vector<double>& times,
                                    const LoadedDataset& dataset,
                                    const core::MemoryAccount& account,
-                                   const core::WorkPart& work,
+                                   core::WorkDone& done,
                                    const std::stop_token& stop) {
     const auto begun = std::chrono::steady_clock::now();
-    const auto viewer = animation_viewer();
+    const auto viewer = read_animation_viewer();
     if (!viewer)
         return tl::unexpected(viewer.error());
-    const auto job = job_of(options, plan, dataset);
-    if (!job)
-        return tl::unexpected(job.error());
-    core::SteadyClock clock;
-    auto animation = animate(*job, times, clock, stop, work);
-    if (!animation)
-        return tl::unexpected(animation.error());
-    state_interval_errors(animation->last, plan, options.threads, account, stop);
-    if (auto shown = tell_statistics(animation->last.statistics, false); !shown)
+    protocol::Recipe recipe = recipe_for(options.output, options, plan, dataset);
+    recipe.times = times;
+    auto share = account.open(core::MemoryUse::Downloads);
+    const auto made = make_animation_file(std::move(recipe), plan, dataset, *viewer, stop,
+                                          {&account, &share, std::chrono::seconds(1)}, {}, &done);
+    if (!made)
+        return tl::unexpected(made.error());
+    if (auto shown = tell_statistics(made->statistics, false); !shown)
         return shown;
-    if (stop.stop_requested())
-        return core::fail(core::Error::Code::Cancelled, "stopped, nothing was written");
-    auto page = protocol::animation_page(
-        *viewer, description_of(*animation, *job, dataset.info, WAKESURF_VERSION),
-        animation->frames);
-    if (!page)
-        return tl::unexpected(page.error());
-    if (auto written = write_whole_file(options.output, *page); !written)
+    if (!made->without_body.empty())
+        tell(stderr, "wakesurf: {}\n", made->without_body);
+    const std::string& page = made->file.bytes;
+    if (auto written = write_whole_file(options.output, page); !written)
         return written;
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begun;
     tell("{}: {} steps, up to {} vertices, {:.1f} MB, {:.2f} bytes a vertex and step, {:.1f} s\n",
-         options.output, times.size(), animation->most_vertices,
-         static_cast<double>(page->size()) / 1e6,
-         static_cast<double>(animation->frames.size()) /
-             static_cast<double>(std::max<std::uint64_t>(1, animation->all_vertices)),
+         options.output, times.size(), made->most_vertices, static_cast<double>(page.size()) / 1e6,
+         static_cast<double>(made->frame_bytes) /
+             static_cast<double>(std::max<std::uint64_t>(1, made->all_vertices)),
          took.count());
     return {};
 }
@@ -156,17 +121,6 @@ core::Result<void> write_numbers(const SurfaceOptions& options,
     return {};
 }
 
-/// Returns the plan of the surface until that time. Level sets keep theirs: they have no age.
-core::Result<core::SurfacePlan> until(core::SurfacePlan plan, double last) {
-    core::SurfaceParameters p = plan.parameters;
-    if (p.kind == core::SurfaceKind::Level || last == p.to || last == p.from)
-        return plan;
-    p.to = last;
-    if (p.release_until && !core::between(*p.release_until, p.from, last))
-        p.release_until.reset();
-    return core::plan_surface(plan.flow, plan.rake, std::move(p));
-}
-
 } // namespace
 
 core::Result<void> write_series(const SurfaceOptions& options,
@@ -199,7 +153,7 @@ core::Result<void> write_series(const SurfaceOptions& options,
     return arena.execute([&]() -> core::Result<void> {
         switch (series.form) {
         case Series::Form::Animation:
-            return write_animation(options, *shown, *times, dataset, account, work, stop);
+            return write_animation(options, *shown, *times, dataset, account, done, stop);
         case Series::Form::Numbers:
             return write_numbers(options, *shown, *times, through, dataset, work, stop);
         default:

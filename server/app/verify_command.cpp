@@ -1,4 +1,5 @@
 #include "protocol/api/generated/names.hpp"
+#include "protocol/files/animation_page.hpp"
 #include "protocol/files/file_difference.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "protocol/files/recipe.hpp"
@@ -10,7 +11,9 @@
 #include "server/app/shown_surfaces.hpp"
 #include "server/app/stop_tokens.hpp"
 #include "server/base/process_account.hpp"
+#include "server/live/animation_file.hpp"
 #include "server/live/surface_file.hpp"
+#include "server/net/static_files.hpp"
 #include "store/command/memory_size.hpp"
 
 #include <CLI/CLI.hpp>
@@ -90,11 +93,10 @@ int tell_verdict(const std::string& file,
                  bool sealed) {
     const bool same_mesh = made.mesh == found.recipe.mesh;
     // Any other byte makes another seal, which stands before most of them.
-    const std::size_t seal = found.seal_begin();
-    const bool same_seal = made.bytes.compare(seal, found.seal.size(), found.seal) == 0;
-    made.bytes.replace(seal, found.seal.size(), found.seal);
-    auto difference =
-        protocol::first_difference(*protocol::mesh_format(found.recipe.format), file, made.bytes);
+    const protocol::FoundRecipe own = protocol::find_recipes(made.bytes).sound.front();
+    const bool same_seal = own.seal == found.seal;
+    made.bytes.replace(own.seal_begin(), found.seal.size(), found.seal);
+    auto difference = protocol::first_difference(found.recipe.format, file, made.bytes);
     if (difference.what.empty() && !difference.recompressed && !same_seal)
         difference.what = "its seal is another";
     if (difference.what.empty() && same_mesh && (sealed || !difference.recompressed)) {
@@ -118,8 +120,24 @@ int tell_verdict(const std::string& file,
     return differs;
 }
 
-/// Verifies a file of a mesh, or of lines.
-core::Result<int> verify_mesh(const VerifyOptions& options,
+/// Makes the file again. @param found  its recipe
+core::Result<SurfaceFile> made_again(const protocol::FoundRecipe& found,
+                                     const core::SurfacePlan& plan,
+                                     const LoadedDataset& dataset,
+                                     const core::MemoryAccount& account,
+                                     const std::stop_token& stop) {
+    auto share = account.open(core::MemoryUse::Downloads);
+    const FileMemory memory{&account, &share, std::chrono::seconds(1)};
+    if (found.recipe.format != protocol::animation_extension)
+        return make_surface_file(found.recipe, plan, dataset, stop, memory, found.text);
+    return read_animation_viewer().and_then([&](const std::string& viewer) {
+        return make_animation_file(found.recipe, plan, dataset, viewer, stop, memory, found.text)
+            .map([](AnimationFile&& made) { return std::move(made.file); });
+    });
+}
+
+/// Verifies a file of a mesh, of lines, or of an animation.
+core::Result<int> verify_file(const VerifyOptions& options,
                               const std::string& file,
                               const protocol::FoundRecipe& found,
                               const std::stop_token& stop) {
@@ -148,13 +166,8 @@ core::Result<int> verify_mesh(const VerifyOptions& options,
     if (!plan)
         return tl::unexpected(plan.error());
     const ElapsedLine progress("building the surface again");
-    auto share = process.account().open(core::MemoryUse::Downloads);
     return on_threads(options,
-                      [&] {
-                          return make_surface_file(
-                              recipe, *plan, *dataset, stop,
-                              {&process.account(), &share, std::chrono::seconds(1)}, found.text);
-                      })
+                      [&] { return made_again(found, *plan, *dataset, process.account(), stop); })
         .map(
             [&](SurfaceFile&& made) { return tell_verdict(file, found, std::move(made), sealed); });
 }
@@ -211,9 +224,11 @@ core::Result<int> verify(const VerifyOptions& options, const std::stop_token& st
         return core::fail(Error::Code::InvalidArgument, options.file + " has no recipe",
                           "files that wakesurf wrote before it had recipes, or that other programs "
                           "have saved again, cannot be verified");
-    const bool mesh = protocol::mesh_format(found.sound.front().recipe.format).has_value();
-    return mesh ? verify_mesh(options, *file, found.sound.front(), stop)
-                : verify_picture(options, found, stop);
+    const std::string& format = found.sound.front().recipe.format;
+    const bool whole =
+        protocol::mesh_format(format).has_value() || format == protocol::animation_extension;
+    return whole ? verify_file(options, *file, found.sound.front(), stop)
+                 : verify_picture(options, found, stop);
 }
 
 } // namespace

@@ -69,4 +69,12 @@ core::Result<std::vector<double>> times_in(const SeriesTimes& times,
     return out;
 }
 
+std::vector<double> even_times(const core::SurfaceParameters& p, std::size_t count) {
+    std::vector<double> out;
+    for (std::size_t k = 0; k < count; ++k)
+        out.push_back(p.from +
+                      (p.to - p.from) * static_cast<double>(k) / static_cast<double>(count - 1));
+    return out;
+}
+
 } // namespace wakesurf::server

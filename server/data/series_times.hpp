@@ -27,4 +27,7 @@ core::Result<std::vector<double>> times_in(const SeriesTimes& times,
                                            std::size_t most,
                                            const std::string& option);
 
+/// Returns so many times, evenly from `from` to `to`. REQUIRES: 2 or more.
+std::vector<double> even_times(const core::SurfaceParameters& parameters, std::size_t count);
+
 } // namespace wakesurf::server

@@ -1,25 +1,13 @@
 #include "server/live/surface_animation.hpp"
 
 #include "core/surface/playback/evolution.hpp"
+#include "protocol/wire/mesh_encoder.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace wakesurf::server {
-
-namespace {
-
-void append_frames(std::string& frames, const protocol::SharedFrames& update) {
-    for (const auto& frame : update) {
-        const auto size = static_cast<std::uint32_t>(frame->size());
-        for (int shift = 0; shift < 32; shift += 8)
-            frames += static_cast<char>(size >> shift & 0xffU);
-        frames.append(reinterpret_cast<const char*>(frame->data()), frame->size());
-    }
-}
-
-} // namespace
 
 core::Result<SurfaceAnimation> animate(const SurfaceJob& job,
                                        std::span<const double> times,
@@ -48,7 +36,7 @@ core::Result<SurfaceAnimation> animate(const SurfaceJob& job,
             stream.next(state->mesh, {Phase::Live, protocol::live_tolerance, unrelated}, *fields);
         if (!update)
             return tl::unexpected(update.error());
-        append_frames(out.frames, update->frames);
+        protocol::append_with_lengths(out.frames, update->frames);
         // Of a level set nothing is kept from one time to the next.
         if (auto room = unrelated ? work.holds(out.frames.size()) : work.takes(update->bytes);
             !room)

@@ -158,14 +158,13 @@ std::string digest_of(std::string_view file) {
     return digest_text(sum.digest());
 }
 
-/// Puts the digest of the file in place of the seal's zeros.
+} // namespace
+
 void seal(std::string& file) {
     const auto found = protocol::find_recipes(file).sound;
     if (!found.empty())
         file.replace(found.front().seal_begin(), protocol::seal_length, digest_of(file));
 }
-
-} // namespace
 
 bool seal_holds(std::string file, const protocol::FoundRecipe& recipe) {
     file.replace(recipe.seal_begin(), protocol::seal_length, protocol::seal_length, '0');

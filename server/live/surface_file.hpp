@@ -58,6 +58,9 @@ core::Result<SurfaceFile> surface_file(protocol::Recipe recipe,
                                        const protocol::MeshScalars& scalars,
                                        const std::string& text = {});
 
+/// Puts the digest of the file in place of the zeros of the seal in its recipe.
+void seal(std::string& file);
+
 /// Says whether a file is byte for byte as it was sealed.
 bool seal_holds(std::string file, const protocol::FoundRecipe& recipe);
 

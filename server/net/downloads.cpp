@@ -5,27 +5,23 @@
 #include "core/base/result.hpp"
 #include "core/base/rounding.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
-#include "core/surface/obstacle_surface.hpp"
-#include "core/surface/wall_caps.hpp"
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "protocol/files/surface_lines.hpp"
-#include "protocol/wire/bytes.hpp"
-#include "protocol/wire/mesh_encoder.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/split.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/surface_scalars.hpp"
+#include "server/live/body_frames.hpp"
 #include "server/live/surface_build.hpp"
 #include "server/live/surface_file.hpp"
+#include "server/net/asked_surface.hpp"
 #include "server/net/download_request.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -39,37 +35,6 @@ using core::Error;
 using core::fail;
 
 namespace {
-
-struct Obstacle {
-    core::QuadComplex mesh;
-    std::size_t walls; ///< vertices; what comes after them closes bodies at the sides of the domain
-};
-
-/// Returns the surface at which particles stop, for display: that of the solid nodes, or the walls of the
-/// store or of a built-in flow.
-core::Result<Obstacle> obstacle_of(const LoadedDataset& dataset) {
-    const auto none = fail(Error::Code::NotFound, "the dataset has no obstacle",
-                           "`dataset.describe` says whether it has one");
-    const store::StoreReader* store = dataset.store.get();
-    if (store != nullptr && !store->mask().empty()) {
-        auto mesh = core::obstacle_surface(store->grid(), store->mask());
-        const std::size_t all = mesh.vertices();
-        return Obstacle{std::move(mesh), all};
-    }
-    auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
-    if (!walls)
-        return tl::unexpected(walls.error());
-    if (walls->triangles.empty())
-        return none;
-    const std::size_t count = walls->points.size();
-    core::close_at_sides(*walls, *dataset.flow);
-    return Obstacle{core::wall_surface(*walls), count};
-}
-
-/// The memory for the mesh, its frames and intermediate data, in bytes a vertex.
-constexpr std::size_t obstacle_bytes = 400;
-/// The additional memory for velocity, a field, speed, s and t, as numbers and as codes, in bytes a vertex.
-constexpr std::size_t flow_bytes = core::wall_velocity_bytes + 150;
 
 /// Returns the time at which the data have the flow for a request at `time`: the same, or the one time of a
 /// steady flow. Error: OutOfTime.
@@ -85,97 +50,6 @@ core::Result<double> time_in_data(const LoadedDataset& dataset, double time) {
                     fmt::format("time {} is outside the data's {} to {}", time, first, last),
                     "choose `time` inside it");
     return std::clamp(time, first, last);
-}
-
-/// Returns a field beside an obstacle's vertices, not a number where there is none.
-core::Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
-                                               const Obstacle& obstacle,
-                                               double time,
-                                               const std::string& field,
-                                               const std::stop_token& stop) {
-    const bool masked = dataset.store != nullptr && !dataset.store->mask().empty();
-    auto places = core::places_off_wall(obstacle.mesh, *dataset.flow,
-                                        masked ? core::mask_distances : core::wall_distances, stop);
-    if (!places)
-        return tl::unexpected(places.error());
-    core::QuadComplex beside;
-    beside.position = *std::move(places);
-    beside.velocity = obstacle.mesh.velocity;
-    const std::vector<double> times(beside.position.size(), time);
-    auto scalars = surface_scalars(dataset, beside, times, {field}, stop);
-    if (!scalars)
-        return tl::unexpected(scalars.error());
-    std::vector<float> values;
-    if (const auto found = scalars->find(field); found != scalars->end())
-        values = std::move(found->second);
-    else if (field == dataset.info.velocity) // its magnitude
-        for (core::VertexId v = 0; v < beside.vertices(); ++v)
-            values.push_back(static_cast<float>(beside.speed(v)));
-    else
-        return fail(Error::Code::NotFound,
-                    "`" + field + "` is a field of surfaces, not of obstacles",
-                    "choose a stored field, the velocity, vorticity or q_criterion");
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (i >= obstacle.walls || std::isnan(beside.position[i].x))
-            values[i] = std::numeric_limits<float>::quiet_NaN();
-    return values;
-}
-
-/// Returns the frames of one KEY, each preceded by its length. protocol/wire/README.md, Obstacle file. Error:
-/// NotFound without an obstacle, OverLimit, and as sampling and encoding.
-/// @param time   as time_in_data returns it; empty: without the flow
-/// @param field  likewise beside the wall; empty: none
-/// @param share  is grown to the memory needed
-core::Result<std::string> obstacle_frames(const LoadedDataset& dataset,
-                                          std::optional<double> time,
-                                          const std::string& field,
-                                          const core::MemoryAccount& account,
-                                          core::MemoryAccount::Share& share,
-                                          const std::stop_token& stop) {
-    auto obstacle = obstacle_of(dataset);
-    if (!obstacle)
-        return tl::unexpected(obstacle.error());
-    core::QuadComplex& mesh = obstacle->mesh;
-    const std::size_t needed = mesh.vertices() * (obstacle_bytes + (time ? flow_bytes : 0));
-    if (!share.grow_to(needed))
-        return tl::unexpected(account.refusal("the file of this obstacle", needed));
-    protocol::EncodeOptions options;
-    options.final = true;
-    options.attributes = time.has_value();
-    protocol::MeshFields fields;
-    if (time) {
-        options.time = *time;
-        if (auto added = core::add_wall_velocity(mesh, *dataset.flow, *time, stop); !added)
-            return tl::unexpected(added.error());
-        std::fill(mesh.velocity.begin() + static_cast<std::ptrdiff_t>(obstacle->walls),
-                  mesh.velocity.end(), core::Vec3f(0.0F));
-        for (const std::string_view name : core::velocity_component_names)
-            fields.push_back(*core::vertex_component(mesh, name));
-        if (!field.empty()) {
-            auto values = values_beside(dataset, *obstacle, *time, field, stop);
-            if (!values)
-                return tl::unexpected(values.error());
-            fields.push_back(*std::move(values));
-        }
-    }
-    const auto state = protocol::encode_state(
-        mesh, protocol::lattice_over(dataset.info.bounds, dataset.info.periodic), options, fields);
-    if (!state)
-        return tl::unexpected(state.error());
-    std::string out;
-    for (const auto& frame : state->frames) {
-        protocol::Bytes length;
-        protocol::append(length, static_cast<std::uint32_t>(frame->size()));
-        out.append(reinterpret_cast<const char*>(length.data()), length.size());
-        out.append(reinterpret_cast<const char*>(frame->data()), frame->size());
-    }
-    return out;
-}
-
-/// Returns the key for taking turns in the pool: one file of each link and session at a time, beside the
-/// surfaces on display.
-std::string turns_of(const std::string& session, const Identity& identity) {
-    return "\n" + session + "\n" + identity.grant; // no session has such a name
 }
 
 /// Holds the input of a file. Finished meshes are not kept: 100 MB a million quads.
@@ -218,15 +92,13 @@ protocol::Recipe recipe_of_download(const core::SurfacePlan& plan,
 }
 
 /// Returns a tag that changes with everything that the file's bytes depend on.
-/// @param steps   the number of readable time-steps of the dataset, which may grow
-/// @param values  identifies the values of the dataset
+/// @param data  identifies the values of the dataset, and its time-steps, of which there may be more later
 std::string tag_of(const protocol::SurfaceRecord& record,
                    const SurfaceJob& job,
                    const DownloadRequest& request,
                    std::optional<double> time,
                    const std::optional<SurfacePass>& early,
-                   std::size_t steps,
-                   const std::string& values) {
+                   const std::string& data) {
     std::string all = protocol::json_text(protocol::written(record));
     for (const core::Rake* rake :
          {&job.plan.rake, job.plan.parameters.rake2 ? &*job.plan.parameters.rake2 : nullptr})
@@ -235,7 +107,7 @@ std::string tag_of(const protocol::SurfaceRecord& record,
             for (const core::Vec3& p : rake->points)
                 all += fmt::format(" {},{},{}", p.x, p.y, p.z);
         }
-    all += fmt::format("|{} {} {}", steps, values, WAKESURF_VERSION);
+    all += fmt::format("|{} {}", data, WAKESURF_VERSION);
     all += "|" + request.lines;
     if (request.tessellate > 1)
         all += fmt::format("|tessellate {}", request.tessellate);
@@ -268,9 +140,11 @@ Downloads::Downloads(Loop& loop,
                      ComputePool& pool,
                      const SessionDirectory& sessions,
                      const DatasetCatalogue& catalogue,
-                     const core::MemoryAccount& account)
+                     const core::MemoryAccount& account,
+                     File viewer)
     : sessions_(sessions), catalogue_(catalogue), account_(account), files_(loop, pool, &account_),
-      numbers_(sessions_, catalogue_, account_, files_) {}
+      numbers_(sessions_, catalogue_, account_, files_),
+      animations_(sessions_, catalogue_, account_, files_, std::move(viewer)) {}
 
 bool Downloads::handle(const HttpRequest& request,
                        const Identity& identity,
@@ -283,6 +157,9 @@ bool Downloads::handle(const HttpRequest& request,
     else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
              parts[5] == "surfaces" && parts[7] == numbers_file)
         numbers_.get(request, identity, part(4), part(6), respond);
+    else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
+             parts[5] == "surfaces" && parts[7] == animation_file)
+        animations_.get(request, identity, part(4), part(6), respond);
     else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
              parts[5] == "surfaces")
         surface(request, identity, {part(4), part(6), part(7)}, respond);
@@ -322,7 +199,7 @@ void Downloads::obstacle(const HttpRequest& request,
         "obstacle " + id + " " + values_of(**dataset) + when, turns_of("", identity),
         [loaded = *dataset, time, field = asked->field,
          &account = account_](const std::stop_token& stop, core::MemoryAccount::Share& share) {
-            return obstacle_frames(*loaded, time, field, account, share, stop);
+            return body_frames(*loaded, time, field, account, share, stop);
         },
         request.gone,
         [this, respond, request, identity, id, data = *dataset](const core::Result<File>& file) {
@@ -346,53 +223,43 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
     const auto wanted = read_download(place.file, *query);
     if (!wanted)
         return tl::unexpected(wanted.error());
-    const auto session = sessions_.find(place.session);
-    if (!session)
-        return tl::unexpected(session.error());
-    const auto record = (*session)->records().get<protocol::SurfaceRecord>(place.surface);
-    if (!record)
-        return tl::unexpected(record.error());
+    const auto asked = find_surface(sessions_, catalogue_, place.session, place.surface);
+    if (!asked)
+        return tl::unexpected(asked.error());
+    const protocol::SurfaceRecord& record = asked->record;
+    const LiveSurface& live = *asked->live;
+    const auto early = wanted->now ? live.early() : std::nullopt;
     // An error of the surface, for example that a user has stopped it, holds for its file as well.
-    const auto live = (*session)->live(place.surface);
-    if (!live)
-        return tl::unexpected(live.error());
-    const auto early = wanted->now ? (*live)->early() : std::nullopt;
-    if (const auto wrong = (*live)->outcome().error;
+    if (const auto wrong = live.outcome().error;
         wrong && !(early && wrong->code == Error::Code::Cancelled))
         return tl::unexpected(*wrong);
-    const auto dataset = catalogue_.find(record->dataset);
-    if (!dataset)
-        return tl::unexpected(dataset.error());
-    SurfaceJob job = (*live)->wanted();
+    SurfaceJob job = live.wanted();
     if (early)
         job.plan = early_plan(std::move(job.plan), *early);
     else // a fast surface would differ for it
         job.plan.parameters.deformation = true;
     job.plan.parameters.tangents =
-        wanted->tessellate > 1 || std::ranges::any_of(record->fields, core::is_normal_component);
+        wanted->tessellate > 1 || std::ranges::any_of(record.fields, core::is_normal_component);
     if (!wanted->lines.empty())
         if (const auto read =
                 protocol::read_lines(wanted->lines, job.plan.parameters.kind, wanted->format);
             !read)
             return tl::unexpected(read.error());
-    auto time = shown_at(*wanted, job.plan.parameters, (*session)->clock().time());
+    auto time = shown_at(*wanted, job.plan.parameters, asked->session->clock().time());
     if (!time)
         return tl::unexpected(time.error());
     if (early && job.plan.parameters.kind != core::SurfaceKind::Path)
         time->reset(); // it ends there
-    const auto status = catalogue_.status(record->dataset);
-    const std::string tag =
-        tag_of(*record, job, *wanted, *time, early, status ? status->steps_ready : 0,
-               values_of(**dataset) + ((*dataset)->scalars ? (*dataset)->scalars->mark() : ""));
+    const std::string tag = tag_of(record, job, *wanted, *time, early, asked->data_mark);
     if (request.has(tag)) {
         respond({304, {{"ETag", tag}, {"Cache-Control", "private, no-cache"}}});
         return {};
     }
-    const auto stay = (*session)->attendance().stay();
+    const auto stay = asked->session->attendance().stay();
     files_.get(
         tag + place.session, turns_of(place.session, identity),
-        [file = FileJob{job.plan, *dataset,
-                        recipe_of_download(job.plan, **dataset, *record, *wanted, *time,
+        [file = FileJob{job.plan, asked->dataset,
+                        recipe_of_download(job.plan, *asked->dataset, record, *wanted, *time,
                                            early.has_value()),
                         job.twin, &account_}](const std::stop_token& stop,
                                               core::MemoryAccount::Share& share) {
@@ -400,7 +267,8 @@ core::Result<void> Downloads::offer(const HttpRequest& request,
         },
         request.gone,
         [this, respond, name = place.surface + (early ? "-coarse" : ""), format = wanted->format,
-         tag, stay, request, identity, place, data = *dataset](const core::Result<File>& file) {
+         tag, stay, request, identity, place,
+         data = asked->dataset](const core::Result<File>& file) {
             if (replaced(*data)) // while it was made
                 return surface(request, identity, place, respond);
             respond(file ? file_response(name, format, tag, *file) : http_error(file.error()));

@@ -4,6 +4,7 @@
 #include "core/base/memory_account.hpp"
 #include "server/base/identity.hpp"
 #include "server/data/dataset_catalogue.hpp"
+#include "server/net/animation_downloads.hpp"
 #include "server/net/http_message.hpp"
 #include "server/net/number_downloads.hpp"
 #include "server/net/shared_files.hpp"
@@ -17,12 +18,13 @@ namespace wakesurf::server {
 /// for all clients that ask for the same.
 class Downloads {
   public:
-    /// REQUIRES: all arguments outlive this.
+    /// REQUIRES: all arguments but the last outlive this. @param viewer  of animations; null: there is none
     Downloads(Loop& loop,
               ComputePool& pool,
               const SessionDirectory& sessions,
               const DatasetCatalogue& catalogue,
-              const core::MemoryAccount& account);
+              const core::MemoryAccount& account,
+              File viewer);
     Downloads(const Downloads&) = delete;
     Downloads& operator=(const Downloads&) = delete;
 
@@ -54,6 +56,7 @@ class Downloads {
     core::MemoryAccount account_;
     SharedFiles files_;
     NumberDownloads numbers_;
+    AnimationDownloads animations_;
 };
 
 } // namespace wakesurf::server

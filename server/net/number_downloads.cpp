@@ -9,6 +9,7 @@
 #include "server/base/limits.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/region_text.hpp"
+#include "server/net/asked_surface.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -89,21 +90,12 @@ core::Result<void> NumberDownloads::offer(const HttpRequest& request,
     const auto wanted = url_query(request.query).and_then(read_numbers);
     if (!wanted)
         return tl::unexpected(wanted.error());
-    const auto session = sessions_.find(session_id);
-    if (!session)
-        return tl::unexpected(session.error());
-    const auto record = (*session)->records().get<protocol::SurfaceRecord>(surface);
-    if (!record)
-        return tl::unexpected(record.error());
-    const auto live = (*session)->live(surface);
-    if (!live)
-        return tl::unexpected(live.error());
-    if (const auto wrong = (*live)->outcome().error) // holds for its numbers as well
+    const auto asked = find_surface(sessions_, catalogue_, session_id, surface);
+    if (!asked)
+        return tl::unexpected(asked.error());
+    if (const auto wrong = asked->live->outcome().error) // holds for its numbers as well
         return tl::unexpected(*wrong);
-    const auto dataset = catalogue_.find(record->dataset);
-    if (!dataset)
-        return tl::unexpected(dataset.error());
-    NumbersJob job{(*live)->wanted().plan, *dataset, {}, wanted->through, &account_};
+    NumbersJob job{asked->live->wanted().plan, asked->dataset, {}, wanted->through, &account_};
     const core::SurfaceParameters& p = job.plan.parameters;
     if (wanted->times) {
         auto times = times_in(*wanted->times, p, most_numbers_times, "`times`");
@@ -111,21 +103,18 @@ core::Result<void> NumberDownloads::offer(const HttpRequest& request,
             return tl::unexpected(times.error());
         job.times = *std::move(times);
     } else {
-        const auto time = shown_at(wanted->shown, p, (*session)->clock().time());
+        const auto time = shown_at(wanted->shown, p, asked->session->clock().time());
         if (!time)
             return tl::unexpected(time.error());
         job.times = {time->value_or(p.to)};
     }
-    const auto status = catalogue_.status(record->dataset);
     const std::string tag = fmt::format(
-        "numbers|{}|{}|{}|{}|{}|{}|{}", session_id, surface, record->epoch,
-        protocol::json_text(protocol::written(*record)), status ? status->steps_ready : 0,
-        values_of(**dataset) + ((*dataset)->scalars ? (*dataset)->scalars->mark() : ""),
+        "numbers|{}|{}|{}|{}|{}|{}", session_id, surface, asked->record.epoch,
+        protocol::json_text(protocol::written(asked->record)), asked->data_mark,
         wanted->times ? request.query : fmt::format("{} {}", request.query, job.times.front()));
-    const auto stay = (*session)->attendance().stay();
+    const auto stay = asked->session->attendance().stay();
     files_.get(
-        // No session has such a name: one file of each link and session at a time.
-        tag, "\n" + session_id + "\n" + identity.grant,
+        tag, turns_of(session_id, identity),
         [job = std::move(job)](const std::stop_token& stop, core::MemoryAccount::Share& share) {
             return job.make(stop, share);
         },

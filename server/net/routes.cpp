@@ -62,12 +62,12 @@ bool has_files(std::string_view path) {
 bool is_download(const HttpRequest& request) {
     const std::string& path = request.path;
     return path.starts_with("/api/v1/sessions/") && reads(request) &&
-           (path.find("/mesh.") != std::string::npos || path.ends_with("/session.json"));
+           (path.find("/surfaces/") != std::string::npos || path.ends_with("/session.json"));
 }
 
 /// Says whether the memory of an answer is counted already, for all its readers: net/shared_files.
 bool is_shared_file(const std::string& path) {
-    return path.find("/mesh.") != std::string::npos || path.ends_with("/obstacle.bin");
+    return path.find("/surfaces/") != std::string::npos || path.ends_with("/obstacle.bin");
 }
 
 HttpResponse too_much_waits(std::size_t bytes) {

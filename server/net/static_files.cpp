@@ -66,6 +66,11 @@ StaticFiles StaticFiles::load(const fs::path& folder) {
     return out;
 }
 
+std::shared_ptr<const std::string> StaticFiles::bytes(std::string_view path) const {
+    const auto found = files_.find(path);
+    return found == files_.end() ? nullptr : found->second.bytes;
+}
+
 HttpResponse StaticFiles::respond(const HttpRequest& request) const {
     const auto found = files_.find(request.path == "/" ? std::string_view("/index.html")
                                                        : std::string_view(request.path));
@@ -92,6 +97,20 @@ fs::path find_web_client() {
             fs::exists(folder / "index.html", error))
             return folder;
     return {};
+}
+
+core::Error no_animation_viewer() {
+    return {core::Error::Code::NotFound,
+            "the viewer of animations was not found beside this program",
+            "install all of wakesurf, or build the web client: ./run"};
+}
+
+core::Result<std::string> read_animation_viewer() {
+    const auto folder = find_web_client();
+    std::ifstream stream(folder / viewer_path.substr(1), std::ios::binary);
+    if (folder.empty() || !stream)
+        return tl::unexpected(no_animation_viewer());
+    return std::string(std::istreambuf_iterator<char>(stream), {});
 }
 
 } // namespace wakesurf::server

@@ -7,14 +7,16 @@ import { promisify } from 'node:util';
 import type { Page } from 'playwright-core';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
 import type { ClockRecord, RakeRecord, SurfaceRecord } from '../../web-client/src/protocol/messages.ts';
-import { ask, finalSurface } from './support/browser_page.ts';
+import { ask, finalSurface, newContext } from './support/browser_page.ts';
 import { pixelsOfPng } from './support/png_pixels.ts';
-import { temporaryFolder } from './support/server_process.ts';
+import { projectRoot } from './support/project_root.ts';
+import { bundledStore, temporaryFolder } from './support/server_process.ts';
 import { useTestRig } from './support/test_rig.ts';
 
 const run = promisify(execFile);
 const rig = useTestRig();
 const work = temporaryFolder();
+const binary = process.env['WAKESURF_BINARY'] ?? join(projectRoot, 'build/release/bin/wakesurf');
 let page: Page;
 
 afterAll(() => work.remove());
@@ -318,4 +320,35 @@ describe('a script', () => {
             expect(readFileSync(join(work.path, 'surface.ply')).equals(bytes)).toBe(true);
         }
     });
+});
+
+describe('an animation', () => {
+    interface Hook {
+        count: number;
+        step: () => number;
+        goTo: (step: number) => void;
+        bodyVertices: () => number;
+    }
+    const hook = <T>(shown: Page, read: (animation: Hook) => T): Promise<T> =>
+        shown.evaluate(`(${String(read)})(window.wakesurfAnimation)`);
+
+    it('is the surface in the colours of the page, with the body, from a disk; and is made again from its recipe', async () => {
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('input[name=map][value=plasma]').check();
+        await toExport();
+        await page.locator('#animation-steps').fill('5');
+        await page.locator('#animation-steps').press('Tab');
+        const { name, path, bytes } = await saved('#download-animation');
+        expect(name).toMatch(/^sqcyl-\w+-animation\.html$/);
+        expect(bytes.toString('utf8')).toContain('"map":"plasma"');
+        const context = await newContext(rig.browser);
+        await context.setOffline(true);
+        const shown = await context.newPage();
+        await shown.goto(`file://${path}`);
+        await shown.waitForFunction(() => 'wakesurfAnimation' in window);
+        expect(await hook(shown, (animation) => animation.count)).toBe(5);
+        expect(await hook(shown, (animation) => animation.bodyVertices())).toBeGreaterThan(100);
+        await run(binary, ['verify', path, join(projectRoot, 'data/sqcyl/sqcyl.pvd'), '--store', bundledStore()]);
+        await context.close();
+    }, 120_000);
 });

@@ -216,6 +216,10 @@ function start(app: App): void {
                 picture: { state, view, figure },
                 film: { state, view, playback, figure, film, ownCopy },
                 mesh: { state, view, mesh },
+                animation: {
+                    ...{ state, animation: new MeshDownload(server) },
+                    styleOf: (id) => scene.surfaces.spanOf(id)?.style ?? null,
+                },
             },
             status: { state, view, edits, progress, worker, mesh },
         },

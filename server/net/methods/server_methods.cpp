@@ -22,6 +22,7 @@ json capabilities() {
     for (const auto format : protocol::mesh_formats)
         out.push_back("mesh." + std::string(protocol::extension(format)));
     out.push_back("numbers.csv");
+    out.push_back("animation.html");
     return out;
 }
 

@@ -29,7 +29,8 @@ file_of(const core::QuadComplex& mesh, MeshFormat format, GlbCoding coding = Glb
 std::string difference(MeshFormat format, const std::function<void(core::QuadComplex&)>& change) {
     core::QuadComplex other = tests::small_mesh();
     change(other);
-    return first_difference(format, file_of(other, format), file_of(tests::small_mesh(), format))
+    return first_difference(extension(format), file_of(other, format),
+                            file_of(tests::small_mesh(), format))
         .what;
 }
 
@@ -58,7 +59,7 @@ TEST(FileDifference, NamesTheCellThatJoinsOtherVertices) {
     const std::string ply = file_of(tests::small_mesh(), MeshFormat::Ply);
     std::string other = ply;
     other.back() ^= 1;
-    EXPECT_EQ(first_difference(MeshFormat::Ply, other, ply).what, "face 4 has other vertices");
+    EXPECT_EQ(first_difference("ply", other, ply).what, "face 4 has other vertices");
 }
 
 TEST(FileDifference, NoticesEveryByteOfEveryFormat) {
@@ -67,11 +68,11 @@ TEST(FileDifference, NoticesEveryByteOfEveryFormat) {
         for (std::size_t k = 0; k < right.size(); ++k) {
             std::string other = right;
             other[k] ^= 4;
-            const auto found = first_difference(format, other, right);
+            const auto found = first_difference(extension(format), other, right);
             EXPECT_TRUE(!found.what.empty() || found.recompressed) << extension(format) << k;
         }
-        EXPECT_EQ(first_difference(format, right, right).what, "");
-        EXPECT_FALSE(first_difference(format, right, right).recompressed);
+        EXPECT_EQ(first_difference(extension(format), right, right).what, "");
+        EXPECT_FALSE(first_difference(extension(format), right, right).recompressed);
     };
     for (const MeshFormat format : mesh_formats)
         every(format, file_of(tests::small_mesh(), format));
@@ -87,10 +88,10 @@ TEST(FileDifference, NoticesAnEndThatIsMissingAndBytesBehindIt) {
     for (const MeshFormat format : mesh_formats) {
         const std::string right = file_of(tests::small_mesh(), format);
         for (const std::size_t size : {std::size_t{0}, right.size() / 2, right.size() - 1})
-            EXPECT_EQ(first_difference(format, right.substr(0, size), right).what,
+            EXPECT_EQ(first_difference(extension(format), right.substr(0, size), right).what,
                       "it ends after " + std::to_string(size) + " of " +
                           std::to_string(right.size()) + " bytes");
-        EXPECT_EQ(first_difference(format, right + "ab", right).what,
+        EXPECT_EQ(first_difference(extension(format), right + "ab", right).what,
                   "it has 2 bytes more, behind its end");
     }
 }
@@ -104,7 +105,7 @@ TEST(FileDifference, TakesAnotherCompressionForTheSameValues) {
     ASSERT_EQ(right.substr(at, 2), "eA");
     other[at + 1] = 'N';
     other[at + 2] = static_cast<char>(right[at + 2] - 'E' + 'o');
-    const auto found = first_difference(MeshFormat::Vtp, other, right);
+    const auto found = first_difference("vtp", other, right);
     EXPECT_EQ(found.what, "");
     EXPECT_TRUE(found.recompressed);
 }

@@ -32,6 +32,8 @@ Recipe sample() {
     recipe.tessellate = 3;
     recipe.lines = "points";
     recipe.time = 0.30000000000000004;
+    recipe.times = {0.1, 0.30000000000000004, 7};
+    recipe.look = R"({"map":"grey"})";
     recipe.mesh.assign(64, 'a');
     return recipe;
 }

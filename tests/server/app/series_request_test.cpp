@@ -1,5 +1,6 @@
 // Names and times of what is written more than once.
 #include "server/app/series_request.hpp"
+#include "server/live/animation_file.hpp"
 #include "tests/support/value_of.hpp"
 
 #include <gtest/gtest.h>

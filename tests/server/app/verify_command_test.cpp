@@ -48,6 +48,26 @@ class VerifyCommand : public testing::Test {
         return path(name);
     }
 
+    static bool viewer_is_built() {
+        return std::filesystem::exists(
+            std::filesystem::path(tests::server_program()).parent_path() /
+            "../../../web-client/dist/animation.html");
+    }
+
+    /// Writes an animation of it.
+    std::string animation(const std::string& data, const std::string& name) const {
+        const auto told =
+            run({"surface", data, "--kind", "stream", "--rake", "0.4,0.4,0.3 0.6,0.6,0.3", "--to",
+                 "2", "--separation", "0.1", "--times", "0:2:0.5", "-o", path(name)});
+        EXPECT_EQ(told.status, 0) << told.words;
+        return path(name);
+    }
+
+    static std::string text_of(const std::string& file) {
+        std::ifstream stream(file, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    }
+
     /// Samples the tornado at so many times.
     std::string store(const std::string& name, int times) const {
         const std::string list = fmt::format("0:{}:{}", times - 1, times);
@@ -88,6 +108,34 @@ TEST_F(VerifyCommand, NamesTheVertexOfWhichOneByteIsAnother) {
     tells(told, 1, " instead of ");
     tells(told, 1, " of vertex ");
     tells(told, 1, "the file has been changed since");
+}
+
+TEST_F(VerifyCommand, MakesAnAnimationAgainAndNamesWhatDiffersInIt) {
+    if (!viewer_is_built())
+        GTEST_SKIP() << "without the built web client";
+    const std::string file = animation("flow:tornado", "a.html");
+    tells(run({"verify", file}), 0, "verified: the same");
+    const std::string text = text_of(file);
+    change(file, text.find("id=\"frames\">") + 2000);
+    tells(run({"verify", file}), 1, "differs: the surface differs, in frame ");
+    tells(run({"verify", file}), 1, "the file has been changed since");
+    std::ofstream(file, std::ios::binary) << text;
+    change(file, text.find("\"title\":\"") + 9);
+    tells(run({"verify", file}), 1, "differs: its description differs in `title`");
+    std::ofstream(file, std::ios::binary) << text;
+    change(file, text.size() - 40);
+    tells(run({"verify", file}), 1, "differs: its viewer differs, at byte ");
+}
+
+TEST_F(VerifyCommand, KnowsTheDataOfAnAnimation) {
+    if (!viewer_is_built())
+        GTEST_SKIP() << "without the built web client";
+    const std::string data = store("data", 4);
+    const std::string file = animation(data, "a.html");
+    tells(run({"verify", file}), 2, "name the data: wakesurf verify " + file + " DATA");
+    tells(run({"verify", file, data}), 0, "verified");
+    run({"generate", "tornado", path("later"), "--grid", "12,12,12", "--times", "0.5:3.5:4"});
+    tells(run({"verify", file, path("later")}), 1, "from the first time-step on");
 }
 
 TEST_F(VerifyCommand, NeedsTheDataOfAFileToBeNamedUnlessTheyAreABuiltInFlow) {

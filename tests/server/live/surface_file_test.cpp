@@ -182,12 +182,12 @@ TEST(SurfaceFile, IsMadeAgainFromItsRecipeAloneForFiftyRandomRequests) {
         ASSERT_TRUE(again) << what;
         EXPECT_EQ(again->bytes, file->bytes) << what;
         EXPECT_EQ(again->mesh, found.recipe.mesh) << what;
-        const auto format = *protocol::mesh_format(found.recipe.format);
         for (int k = 0; k < 20; ++k) {
             std::string other = file->bytes;
             const std::size_t at = wishes.below(other.size());
             other[at] = static_cast<char>(other[at] ^ (1 << wishes.below(8)));
-            const auto difference = protocol::first_difference(format, other, again->bytes);
+            const auto difference =
+                protocol::first_difference(found.recipe.format, other, again->bytes);
             EXPECT_TRUE(!difference.what.empty() || difference.recompressed) << what << at;
         }
     }

@@ -123,7 +123,9 @@ TEST_F(DownloadsTest, AreMadeAgainFromTheirRecipesByTheProgram) {
     const TemporaryFolder folder;
     int count = 0;
     const auto verified = [&](const std::string& surface, const std::string& file) {
-        const auto name = folder / (std::to_string(++count) + file.substr(4, 4));
+        const std::size_t dot = file.find('.');
+        const auto name =
+            folder / (std::to_string(++count) + file.substr(dot, file.find('?') - dot));
         std::ofstream(name, std::ios::binary) << get_of(surface, file).body;
         const auto outcome = server::run_child(server_program(), {"verify", name.string()}, 0,
                                                [](std::string_view) {}, {});
@@ -133,6 +135,11 @@ TEST_F(DownloadsTest, AreMadeAgainFromTheirRecipesByTheProgram) {
                              "mesh.obj", "mesh.drc", "mesh.vtp?lines=timelines:4"})
         verified(surface_, file);
     for (const char* file : {"mesh.vtp?time=0.7", "mesh.ply?time=end", "mesh.ply?now=true"})
+        verified(moving, file);
+    if (get_of(moving, "animation.html?times=0:2:1").status == 404)
+        GTEST_SKIP() << "without the built web client";
+    for (const char* file : {"animation.html?times=0:1.5:0.5",
+                             "animation.html?times=0:2:0.5&look=%7B%22map%22:%22grey%22%7D"})
         verified(moving, file);
 }
 

@@ -1,5 +1,5 @@
-// What an animation holds beside its viewer: a description as JSON, and the frames of all its steps in base64, the first a KEY. The
-// server writes both into the page (protocol/files/animation_page.hpp).
+// What an animation holds beside its viewer: a description as JSON, and in base64 the frames of all its steps, the first a KEY, and those
+// of the body, if there is one. The server writes them into the page (protocol/files/animation_page.hpp).
 import type { Lattice } from '../protocol/lattice.ts';
 
 export interface AnimatedValue {
@@ -29,6 +29,8 @@ export interface AnimationDescription {
     timeUnit: string;
     /** Sentences: how it was made and how exact it is. */
     facts: readonly string[];
+    /** As savedLook() made it; whoever wrote it. */
+    look?: unknown;
 }
 
 export interface AnimationFile {

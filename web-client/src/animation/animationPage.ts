@@ -6,8 +6,10 @@ import { DracoPoints } from '../protocol/dracoPoints.ts';
 import { FlowScene } from '../scene/scene.ts';
 import { probeGraphics } from '../scene/graphics.ts';
 import { placeNumber, resolutionOf } from '../scene/base/numbers.ts';
-import { plainStyle, type SurfaceStyle } from '../scene/surface/surfaceStyle.ts';
-import { type AnimatedValue, type AnimationDescription, type AnimationFile, bytesOf, readAnimation } from './animationFile.ts';
+import { plainStyle } from '../scene/surface/surfaceStyle.ts';
+import { decodeObstacle } from '../worker/obstacle.ts';
+import { type AnimationDescription, type AnimationFile, bytesOf, readAnimation } from './animationFile.ts';
+import { type ColourChoice, colourChoices, wishOf } from './animationLook.ts';
 import { AnimationSteps } from './animationSteps.ts';
 import { Legend } from './legend.ts';
 import { Player } from './player.ts';
@@ -16,6 +18,7 @@ const noWebGl2 =
     'This browser does not offer WebGL2, which the animation needs. Open the file in a current browser, and allow hardware or ' +
     'software rendering in its settings.';
 const surface = 'surface';
+const plain: ColourChoice = { title: '', style: { ...plainStyle, source: 'constant', scalar: '' } };
 
 function part<Kind extends HTMLElement>(id: string, kind: new () => Kind): Kind {
     const found = document.getElementById(id);
@@ -41,11 +44,15 @@ async function start(): Promise<void> {
     document.getElementById('frames')?.remove();
     const module = await createDecoderModule({ wasmBinary: bytesOf(wasm.slice(wasm.indexOf(',') + 1)).buffer });
     const scene = new FlowScene({ canvas: part('picture', HTMLCanvasElement), labels: part('labels', HTMLElement), graphics });
-    show(file, new AnimationSteps(file, new DracoPoints(module)), scene);
+    const points = new DracoPoints(module);
+    show(file, new AnimationSteps(file, points), scene);
+    const body = textOf('body');
+    const shape = body === '' ? null : decodeObstacle(bytesOf(body), points, file.description.lattice);
+    if (shape !== null) scene.setObstacle(shape);
 }
 
 function show({ description }: AnimationFile, steps: AnimationSteps, scene: FlowScene): void {
-    const { times, values, timeUnit } = description;
+    const { times, timeUnit } = description;
     describe(description);
     const dark = matchMedia('(prefers-color-scheme: dark)');
     const followTheme = (): void => scene.setTheme(dark.matches ? 'dark' : 'light');
@@ -64,14 +71,15 @@ function show({ description }: AnimationFile, steps: AnimationSteps, scene: Flow
         `t = ${placeNumber(times[step]!, resolution)}${timeUnit === '' ? '' : ` ${timeUnit}`}`;
     slider.max = String(steps.count - 1);
 
-    let value = values[0] ?? null;
+    const choices = colourChoices(description);
+    let wish = wishOf((choices[0] ?? plain).style);
     let isDrawn = true;
     const player = new Player({
         steps,
         now: () => performance.now(),
         onStep: (step) => {
             isDrawn = false;
-            scene.setSurface(surface, steps.take(value?.name ?? null));
+            scene.setSurface(surface, steps.take(wish));
             scene.whenDrawn(() => (isDrawn = true));
             slider.value = String(step);
             slider.setAttribute('aria-valuetext', timeOf(step));
@@ -84,17 +92,17 @@ function show({ description }: AnimationFile, steps: AnimationSteps, scene: Flow
         },
     });
 
-    const legend = new Legend(part('legend', HTMLElement), values);
-    const colour = (by: AnimatedValue | null): void => {
-        value = by;
-        scene.surfaces.setStyle(surface, styleOf(description, by));
-        legend.show(by);
+    const legend = new Legend(part('legend', HTMLElement), choices);
+    const colour = (choice: ColourChoice): void => {
+        wish = wishOf(choice.style);
+        scene.surfaces.setStyle(surface, choice.style);
+        legend.show(choice);
         // The values of the state that is shown.
-        if (steps.current >= 0) scene.setSurface(surface, steps.take(by?.name ?? null));
+        if (steps.current >= 0) scene.setSurface(surface, steps.take(wish));
         scene.loop.request();
     };
     legend.onChoice(colour);
-    colour(value);
+    colour(choices[0] ?? plain);
 
     const toggle = (): void => (player.playing ? player.pause() : player.play());
     play.addEventListener('click', toggle);
@@ -129,7 +137,9 @@ function show({ description }: AnimationFile, steps: AnimationSteps, scene: Flow
     if (matchMedia('(prefers-reduced-motion: reduce)').matches) player.goTo(steps.count - 1);
     else player.play();
     const shown = (): number => Number(slider.value);
-    Object.assign(window, { wakesurfAnimation: { count: steps.count, step: shown, goTo: (step: number) => player.goTo(step) } });
+    const goTo = (step: number): void => player.goTo(step);
+    const bodyVertices = (): number => scene.body.geometry?.getAttribute('position').count ?? 0;
+    Object.assign(window, { wakesurfAnimation: { count: steps.count, step: shown, goTo, bodyVertices } });
 }
 
 function describe({ title, facts }: AnimationDescription): void {
@@ -141,21 +151,6 @@ function describe({ title, facts }: AnimationDescription): void {
         item.textContent = fact;
         list.append(item);
     }
-}
-
-function styleOf({ kind, from }: AnimationDescription, value: AnimatedValue | null): SurfaceStyle {
-    const streak = kind === 'streak';
-    const common: SurfaceStyle = { ...plainStyle, from, tIsRelease: streak, tOrigin: streak ? from : 0 };
-    if (value === null) return { ...common, source: 'constant', scalar: '' };
-    const [low, high] = value.range;
-    const most = Math.max(Math.abs(low), Math.abs(high));
-    return {
-        ...common,
-        scalar: value.name,
-        map: value.signed ? 'coolToWarm' : 'viridis',
-        range: value.signed ? [-most, most] : [low, high],
-        rangeOf: 'film',
-    };
 }
 
 start().catch((error: unknown) => fail(error instanceof Error ? error.message : String(error)));

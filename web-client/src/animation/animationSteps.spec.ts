@@ -27,7 +27,7 @@ class Picture {
 
     at(step: number): Float32Array {
         while (!this.steps.approach(step)) expect(this.steps.awayFrom(step)).toBeGreaterThan(0);
-        const { vertices, fromVertex, positions } = this.steps.take('speed');
+        const { vertices, fromVertex, positions } = this.steps.take({ attributes: ['speed'], parts: null, trimmed: true });
         const whole = new Float32Array(3 * vertices);
         whole.set(this.positions.subarray(0, 3 * Math.min(fromVertex, vertices)));
         whole.set(positions, 3 * fromVertex);

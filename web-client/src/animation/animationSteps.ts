@@ -6,6 +6,7 @@ import { MeshDecoder } from '../protocol/meshDecoder.ts';
 import { type FrameHeader, readFrame } from '../protocol/meshFrame.ts';
 import { WireMesh } from '../protocol/wireMesh.ts';
 import { DisplayArrays } from '../worker/displayArrays.ts';
+import type { ShowWish } from '../worker/workerMessages.ts';
 import type { AnimationFile } from './animationFile.ts';
 
 /** Of states that are kept. Each takes some 70 bytes a vertex. */
@@ -65,10 +66,10 @@ export class AnimationSteps {
     }
 
     /** What has changed since the last call. */
-    take(attribute: string | null): MeshChange & { time: number } {
+    take(wish: ShowWish): MeshChange & { time: number } {
         const { mesh, newest } = this.decoder;
         if (mesh === undefined || newest === undefined) throw new Error('no step has been decoded');
-        this.display.show({ attributes: attribute === null ? [] : [attribute], parts: null, trimmed: true });
+        this.display.show(wish);
         return { ...this.display.take(mesh), time: newest.time };
     }
 

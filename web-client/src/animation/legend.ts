@@ -1,40 +1,40 @@
 // What the colours mean: a choice of values, a bar, numbers.
 import { placeNumbers, resolutionOf } from '../scene/base/numbers.ts';
-import { colourTable, tableSize } from '../scene/surface/colourMap.ts';
-import type { AnimatedValue } from './animationFile.ts';
+import { colourTable, drawnRange, tableSize } from '../scene/surface/colourMap.ts';
+import type { ColourChoice } from './animationLook.ts';
 
 export class Legend {
     private readonly choice = document.createElement('select');
     private readonly bar = document.createElement('canvas');
+    private readonly numbers = document.createElement('div');
     private readonly low = document.createElement('span');
     private readonly high = document.createElement('span');
+    private readonly choices: readonly ColourChoice[];
 
-    constructor(element: HTMLElement, values: readonly AnimatedValue[]) {
-        values.forEach(({ title }, i) => this.choice.append(new Option(title, String(i))));
+    constructor(element: HTMLElement, choices: readonly ColourChoice[]) {
+        choices.forEach(({ title }, i) => this.choice.append(new Option(title, String(i))));
         this.choice.setAttribute('aria-label', 'Colours show');
         [this.bar.width, this.bar.height] = [tableSize, 1];
-        const numbers = document.createElement('div');
-        numbers.append(this.low, this.high);
-        element.append(this.choice, this.bar, numbers);
-        element.hidden = values.length === 0;
-        this.values = values;
+        this.numbers.append(this.low, this.high);
+        element.append(this.choice, this.bar, this.numbers);
+        element.hidden = choices.length === 0;
+        this.choices = choices;
     }
 
-    private readonly values: readonly AnimatedValue[];
-
-    onChoice(chosen: (value: AnimatedValue | null) => void): void {
-        this.choice.addEventListener('change', () => chosen(this.values[Number(this.choice.value)] ?? null));
+    onChoice(chosen: (choice: ColourChoice) => void): void {
+        this.choice.addEventListener('change', () => {
+            const choice = this.choices[Number(this.choice.value)];
+            if (choice !== undefined) chosen(choice);
+        });
     }
 
-    show(value: AnimatedValue | null): void {
-        if (value === null) return;
-        const [least, greatest] = value.range;
-        const most = Math.max(Math.abs(least), Math.abs(greatest));
-        const range = value.signed ? [-most, most] : [least, greatest];
-        const [low, high] = placeNumbers(range, resolutionOf(range[0]!, range[1]!));
+    show({ style: { source, range: wanted, map, inverted, logarithmic, centre } }: ColourChoice): void {
+        this.bar.hidden = this.numbers.hidden = source === 'constant';
+        const range = drawnRange(wanted ?? [0, 1], logarithmic, centre);
+        const [low, high] = placeNumbers(range, resolutionOf(range[0], range[1]));
         this.low.textContent = low ?? '';
         this.high.textContent = high ?? '';
-        const pixels = new Uint8ClampedArray(colourTable(value.signed ? 'coolToWarm' : 'viridis').buffer);
+        const pixels = new Uint8ClampedArray(colourTable(map, inverted).buffer);
         this.bar.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
     }
 }

@@ -41,13 +41,18 @@ import './out/pictureExport.ts';
 import type { FilmExportModel, PictureExportModel } from './out/pictureExport.ts';
 import './out/meshExport.ts';
 import type { MeshExportModel } from './out/meshExport.ts';
+import type { AnimationExportModel } from './out/animationExport.ts';
 import { isolated } from '../state/announcements.ts';
 
 export interface ExportModel {
     picture: PictureExportModel;
     film: FilmExportModel;
     mesh: MeshExportModel;
+    animation: AnimationExportModel;
 }
+
+// Opened on demand.
+void import('./out/animationExport.ts');
 
 function exportBody(model: ExportModel): TemplateResult {
     return html`
@@ -58,6 +63,10 @@ function exportBody(model: ExportModel): TemplateResult {
         <section aria-labelledby="film-head">
             <h2 id="film-head">Film of the playback</h2>
             <wakesurf-film-export .model=${model.film}></wakesurf-film-export>
+        </section>
+        <section aria-labelledby="animation-head">
+            <h2 id="animation-head">Animation in one file</h2>
+            <wakesurf-animation-export .model=${model.animation}></wakesurf-animation-export>
         </section>
         <section aria-labelledby="mesh-head">
             <h2 id="mesh-head">Mesh of the surface</h2>

@@ -25,15 +25,20 @@ export class MeshDownload {
     }
 
     /** Null where it was cancelled or failed; why is in `progress`. */
-    async fetch(session: string, surface: string, file: MeshFile): Promise<DownloadedMesh | null> {
+    fetch(session: string, surface: string, file: MeshFile): Promise<DownloadedMesh | null> {
+        const words = file.now === true ? 'Waiting for the surface as it is now …' : 'Waiting for the final surface …';
+        return this.get(session, surface, meshPath(file), words);
+    }
+
+    /** The same of any file below the address of a surface. */
+    async get(session: string, surface: string, file: string, words: string): Promise<DownloadedMesh | null> {
         this.current?.abort();
         const current = new AbortController();
         this.current = current;
-        const words = file.now === true ? 'Waiting for the surface as it is now …' : 'Waiting for the final surface …';
         this.progress.value = { state: 'waiting', words };
         const [of, id] = [encodeURIComponent(session), encodeURIComponent(surface)];
         try {
-            const path = `api/v1/sessions/${of}/surfaces/${id}/${meshPath(file)}`;
+            const path = `api/v1/sessions/${of}/surfaces/${id}/${file}`;
             const reply = await this.server.fetch(path, { signal: current.signal });
             if (!reply.ok) throw await faultOf(reply);
             const mesh = await reply.blob();

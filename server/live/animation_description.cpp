@@ -1,17 +1,16 @@
-#include "server/app/animation_description.hpp"
+#include "server/live/animation_description.hpp"
 
 #include "core/base/plain_text.hpp"
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/time_direction.hpp"
-#include "protocol/api/base/json_text.hpp"
 #include "protocol/api/generated/names.hpp"
 #include "protocol/wire/mesh_stream.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::server {
@@ -51,17 +50,17 @@ bool is_signed(const AnnouncedRange& value) {
     return value.range.least < 0.0 && value.range.greatest > 0.0;
 }
 
-nlohmann::json values_of(const SurfaceAnimation& animation,
-                         const SurfaceJob& job,
-                         const core::DatasetInfo& dataset) {
-    nlohmann::json values = nlohmann::json::array();
+std::vector<protocol::AnimationDescription::Value> values_of(const SurfaceAnimation& animation,
+                                                             const SurfaceJob& job,
+                                                             const core::DatasetInfo& dataset) {
+    std::vector<protocol::AnimationDescription::Value> values;
     const bool released = job.plan.parameters.kind != core::SurfaceKind::Level;
     for (const AnnouncedRange& each : animation.ranges)
         if (released || each.attribute != protocol::surface_attributes[2])
-            values.push_back({{"name", each.attribute},
-                              {"title", title_of(each.attribute, job, dataset)},
-                              {"range", {each.range.low, each.range.high}},
-                              {"signed", is_signed(each)}});
+            values.push_back({each.attribute,
+                              title_of(each.attribute, job, dataset),
+                              {each.range.low, each.range.high},
+                              is_signed(each)});
     // Fields were asked for, so they come first.
     std::ranges::rotate(values,
                         values.begin() + std::min<std::ptrdiff_t>(values.size(), released ? 2 : 1));
@@ -115,33 +114,30 @@ std::vector<std::string> facts_of(const SurfaceAnimation& animation,
 
 } // namespace
 
-std::string description_of(const SurfaceAnimation& animation,
-                           const SurfaceJob& job,
-                           const core::DatasetInfo& dataset,
-                           const std::string& version) {
+protocol::AnimationDescription description_of(const SurfaceAnimation& animation,
+                                              const SurfaceJob& job,
+                                              const core::DatasetInfo& dataset,
+                                              const std::string& version) {
     const core::Box& box = dataset.bounds;
-    const core::Vec3& origin = job.lattice.origin;
     std::vector<std::string> attributes(protocol::surface_attributes.begin(),
                                         protocol::surface_attributes.end());
     for (const SurfaceField& field : job.fields)
         attributes.push_back(field.name);
     const core::SurfaceParameters& p = job.plan.parameters;
-    return protocol::json_text(
-        {{"title", fmt::format("{}: {} surface", core::display_name(dataset.name, 200),
-                               protocol::name(p.kind))},
-         {"kind", protocol::name(p.kind)},
-         {"from", p.from},
-         {"bounds", {box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z}},
-         {"lattice",
-          {{"origin", {origin.x, origin.y, origin.z}},
-           {"step", job.lattice.step},
-           {"bits", job.lattice.bits}}},
-         {"attributes", attributes},
-         {"values", values_of(animation, job, dataset)},
-         {"times", animation.times},
-         {"lengthUnit", core::display_name(dataset.length_unit, 40)},
-         {"timeUnit", core::display_name(dataset.time_unit, 40)},
-         {"facts", facts_of(animation, job, dataset, version)}});
+    return {.title = fmt::format("{}: {} surface", core::display_name(dataset.name, 200),
+                                 protocol::name(p.kind)),
+            .kind = std::string(protocol::name(p.kind)),
+            .from = p.from,
+            .bounds = {box.lo.x, box.hi.x, box.lo.y, box.hi.y, box.lo.z, box.hi.z},
+            .lattice_origin = job.lattice.origin,
+            .lattice_step = job.lattice.step,
+            .lattice_bits = static_cast<int>(job.lattice.bits),
+            .attributes = std::move(attributes),
+            .values = values_of(animation, job, dataset),
+            .times = animation.times,
+            .length_unit = core::display_name(dataset.length_unit, 40),
+            .time_unit = core::display_name(dataset.time_unit, 40),
+            .facts = facts_of(animation, job, dataset, version)};
 }
 
 } // namespace wakesurf::server

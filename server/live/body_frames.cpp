@@ -1,0 +1,150 @@
+#include "server/live/body_frames.hpp"
+
+#include "core/surface/builder/vertex_attributes.hpp"
+#include "core/surface/obstacle_surface.hpp"
+#include "core/surface/wall_caps.hpp"
+#include "protocol/wire/lattice.hpp"
+#include "protocol/wire/mesh_encoder.hpp"
+#include "server/data/surface_scalars.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace wakesurf::server {
+
+namespace {
+
+struct Obstacle {
+    core::QuadComplex mesh;
+    std::size_t walls; ///< vertices; what comes after them closes bodies at the sides of the domain
+};
+
+/// Returns the surface at which particles stop, for display: that of the solid nodes, or the walls of the
+/// store or of a built-in flow.
+core::Result<Obstacle> obstacle_of(const LoadedDataset& dataset) {
+    const auto none = core::fail(core::Error::Code::NotFound, "the dataset has no obstacle",
+                                 "`dataset.describe` says whether it has one");
+    const store::StoreReader* store = dataset.store.get();
+    if (store != nullptr && !store->mask().empty()) {
+        auto mesh = core::obstacle_surface(store->grid(), store->mask());
+        const std::size_t all = mesh.vertices();
+        return Obstacle{std::move(mesh), all};
+    }
+    auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
+    if (!walls)
+        return tl::unexpected(walls.error());
+    if (walls->triangles.empty())
+        return none;
+    const std::size_t count = walls->points.size();
+    core::close_at_sides(*walls, *dataset.flow);
+    return Obstacle{core::wall_surface(*walls), count};
+}
+
+/// The memory for the mesh, its frames and intermediate data, in bytes a vertex.
+constexpr std::size_t obstacle_bytes = 400;
+/// The additional memory for velocity, a field, speed, s and t, as numbers and as codes, in bytes a vertex.
+constexpr std::size_t flow_bytes = core::wall_velocity_bytes + 150;
+
+/// Returns a field beside an obstacle's vertices, not a number where there is none.
+core::Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
+                                               const Obstacle& obstacle,
+                                               double time,
+                                               const std::string& field,
+                                               const std::stop_token& stop) {
+    const bool masked = dataset.store != nullptr && !dataset.store->mask().empty();
+    auto places = core::places_off_wall(obstacle.mesh, *dataset.flow,
+                                        masked ? core::mask_distances : core::wall_distances, stop);
+    if (!places)
+        return tl::unexpected(places.error());
+    core::QuadComplex beside;
+    beside.position = *std::move(places);
+    beside.velocity = obstacle.mesh.velocity;
+    const std::vector<double> times(beside.position.size(), time);
+    auto scalars = surface_scalars(dataset, beside, times, {field}, stop);
+    if (!scalars)
+        return tl::unexpected(scalars.error());
+    std::vector<float> values;
+    if (const auto found = scalars->find(field); found != scalars->end())
+        values = std::move(found->second);
+    else if (field == dataset.info.velocity) // its magnitude
+        for (core::VertexId v = 0; v < beside.vertices(); ++v)
+            values.push_back(static_cast<float>(beside.speed(v)));
+    else
+        return core::fail(core::Error::Code::NotFound,
+                          "`" + field + "` is a field of surfaces, not of obstacles",
+                          "choose a stored field, the velocity, vorticity or q_criterion");
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (i >= obstacle.walls || std::isnan(beside.position[i].x))
+            values[i] = std::numeric_limits<float>::quiet_NaN();
+    return values;
+}
+
+} // namespace
+
+core::Result<std::string> body_frames(const LoadedDataset& dataset,
+                                      std::optional<double> time,
+                                      const std::string& field,
+                                      const core::MemoryAccount& account,
+                                      core::MemoryAccount::Share& share,
+                                      const std::stop_token& stop) {
+    auto obstacle = obstacle_of(dataset);
+    if (!obstacle)
+        return tl::unexpected(obstacle.error());
+    core::QuadComplex& mesh = obstacle->mesh;
+    const std::size_t needed = mesh.vertices() * (obstacle_bytes + (time ? flow_bytes : 0));
+    if (!share.grow_to(needed))
+        return tl::unexpected(account.refusal("the file of this obstacle", needed));
+    protocol::EncodeOptions options;
+    options.final = true;
+    options.attributes = time.has_value();
+    protocol::MeshFields fields;
+    if (time) {
+        options.time = *time;
+        if (auto added = core::add_wall_velocity(mesh, *dataset.flow, *time, stop); !added)
+            return tl::unexpected(added.error());
+        std::fill(mesh.velocity.begin() + static_cast<std::ptrdiff_t>(obstacle->walls),
+                  mesh.velocity.end(), core::Vec3f(0.0F));
+        for (const std::string_view name : core::velocity_component_names)
+            fields.push_back(*core::vertex_component(mesh, name));
+        if (!field.empty()) {
+            auto values = values_beside(dataset, *obstacle, *time, field, stop);
+            if (!values)
+                return tl::unexpected(values.error());
+            fields.push_back(*std::move(values));
+        }
+    }
+    return protocol::encode_state(
+               mesh, protocol::lattice_over(dataset.info.bounds, dataset.info.periodic), options,
+               fields)
+        .map([](const protocol::EncodedState& state) {
+            std::string out;
+            protocol::append_with_lengths(out, state.frames);
+            return out;
+        });
+}
+
+core::Result<AnimatedBody> animated_body(const LoadedDataset& dataset,
+                                         std::size_t most,
+                                         const core::MemoryAccount& account,
+                                         core::MemoryAccount::Share& share,
+                                         const std::stop_token& stop) {
+    auto frames = body_frames(dataset, {}, "", account, share, stop);
+    if (!frames && frames.error().code == core::Error::Code::NotFound)
+        return AnimatedBody{};
+    if (!frames)
+        return tl::unexpected(frames.error());
+    if (frames->size() <= most)
+        return AnimatedBody{*std::move(frames), {}};
+    const auto in_file = [](std::size_t bytes) { return static_cast<double>(bytes) / 0.75e6; };
+    return AnimatedBody{{},
+                        fmt::format("The body is not in this file: it would take {:.2g} MB of it, "
+                                    "and at most {:.2g} are spent on one.",
+                                    in_file(frames->size()), in_file(most))};
+}
+
+} // namespace wakesurf::server
