@@ -207,7 +207,7 @@ function start(app: App): void {
             rake: { state, view, edits, scene },
             look: { state, view, edits, scene, bodyFields, ownCopy },
             bookmarks: { state, views, calls, clock },
-            probe: { state, view, probing },
+            probe: { state, view, probing, scene },
             surroundings: { state, view, typeUnits: (change) => void typeUnits(state, calls, change) },
             people: { state, view, people, calls, rename: (name) => controller.rename(name), logOut: leave },
             links: { state, views, calls, worker, ownCopy },

@@ -20,6 +20,17 @@ export interface ProbeReading {
     /** Not in the domain, or in the body: there is nothing. */
     inside: boolean;
     values: { name: string; value: number | Vec3 | null }[];
+    /** On which surface; null: on none. */
+    on: SeenPlace | null;
+}
+
+/** A place on a surface, as it is drawn. */
+export interface SeenPlace {
+    surface: string;
+    s: number;
+    t: number;
+    /** What the surface is coloured by. */
+    scalar: number;
 }
 
 /** A note that is being written. */

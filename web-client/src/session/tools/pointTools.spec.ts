@@ -26,7 +26,7 @@ function bench() {
         return new Promise((resolve) => answers.push(() => resolve({ inside: [true], values: { U: [[3, 4, 0]], p: [7] } })));
     });
     const sight = {
-        pick: ({ x }: { x: number }) => (x < 100 ? { point: [x, 1, 1] as Vec3, surface: 's1' } : null),
+        pick: ({ x }: { x: number }) => (x < 100 ? { point: [x, 1, 1] as Vec3, ...seen, distance: 4 } : null),
         rakeAt: ({ x }: { x: number }): Vec3 | null => (x >= 200 && x <= 260 ? [x, 2, 2] : null),
     };
     const probing = new Probing({ state, pageView, worker, requestFrame: () => undefined, ...sight });
@@ -44,6 +44,8 @@ function bench() {
         answer,
     };
 }
+
+const seen = { surface: 's1', s: 0.25, t: 1.5, scalar: 3 };
 
 const at = (x: number): Pointer => ({ at: { x, y: 0 }, time: 0, shift: false });
 
@@ -65,6 +67,7 @@ describe('Probing', () => {
                 { name: 'U', value: [3, 4, 0] },
                 { name: 'p', value: 7 },
             ],
+            on: seen,
         });
     });
 

@@ -4,8 +4,9 @@
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
 import type { ScreenPoint } from '../../scene/base/view.ts';
+import type { PickHit } from '../../scene/surface/pickHit.ts';
 import type { AppState } from '../../state/appState.ts';
-import type { ProbeReading, ViewState } from '../../state/viewState.ts';
+import type { ProbeReading, SeenPlace, ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { announceUnlessDisconnected } from '../base/calls.ts';
 import { shownTime } from '../time/timeSteps.ts';
@@ -13,11 +14,11 @@ import { shownTime } from '../time/timeSteps.ts';
 export interface Aim {
     point: Vec3;
     /** Null: on the body, or a rake. */
-    surface: string | null;
+    on: SeenPlace | null;
 }
 
 export interface Sight {
-    pick: (at: ScreenPoint) => { point: Vec3; surface: string | null } | null;
+    pick: (at: ScreenPoint) => PickHit | null;
     /** The place of a rake under a canvas position. */
     rakeAt: (at: ScreenPoint) => Vec3 | null;
 }
@@ -27,9 +28,12 @@ export const nothingThere = 'There is nothing under the pointer. Point at a surf
 /** Null where nothing can be seen. */
 function aim({ pick, rakeAt }: Sight, at: ScreenPoint): Aim | null {
     const hit = pick(at);
-    if (hit !== null) return { point: hit.point, surface: hit.surface };
+    if (hit !== null) {
+        const { point, surface, s, t, scalar } = hit;
+        return { point, on: surface === null ? null : { surface, s, t, scalar } };
+    }
     const onRake = rakeAt(at);
-    return onRake === null ? null : { point: onRake, surface: null };
+    return onRake === null ? null : { point: onRake, on: null };
 }
 
 export interface ProbingOptions extends Sight {
@@ -43,7 +47,7 @@ export class Probing implements PointerTool {
     private readonly options: ProbingOptions;
     /** While an answer is awaited only the newest place waits. */
     private asking = false;
-    private next: Vec3 | null = null;
+    private next: Aim | null = null;
     private under: Pointer | null = null;
     private held = false;
     /** How often there was nothing to probe: an answer that was asked for before that is not shown. */
@@ -89,12 +93,12 @@ export class Probing implements PointerTool {
     probeThere(point: Vec3): void {
         this.held = true;
         this.under = null;
-        this.probe(point);
+        this.probe({ point, on: null });
     }
 
-    private probe(point: Vec3): void {
-        this.next = point;
-        this.options.pageView.probePlace.value = point;
+    private probe(aimed: Aim): void {
+        this.next = aimed;
+        this.options.pageView.probePlace.value = aimed.point;
         this.options.pageView.probeMissed.value = false;
         this.options.pageView.besidePointer.value = null;
         if (!this.asking) void this.ask();
@@ -107,7 +111,7 @@ export class Probing implements PointerTool {
             this.probeNothing();
             this.options.pageView.besidePointer.value = { at, words: nothingThere };
         } else {
-            this.probe(aimed.point);
+            this.probe(aimed);
         }
     }
 
@@ -124,8 +128,9 @@ export class Probing implements PointerTool {
     private async ask(): Promise<void> {
         const { state, pageView, worker, requestFrame } = this.options;
         const description = state.dataset.value;
-        const point = this.next;
-        if (point === null || description === null) return;
+        const aimed = this.next;
+        if (aimed === null || description === null) return;
+        const { point, on } = aimed;
         this.next = null;
         this.asking = true;
         const time = shownTime(state);
@@ -143,7 +148,7 @@ export class Probing implements PointerTool {
             });
             state.problems.solved('probe');
             if (missed !== this.missed) return;
-            pageView.probe.value = { point, time, inside: inside[0] === true, values: Object.entries(values).map(at) };
+            pageView.probe.value = { point, time, inside: inside[0] === true, values: Object.entries(values).map(at), on };
         } catch (error) {
             announceUnlessDisconnected(state.problems, 'probe', error);
         } finally {
@@ -212,8 +217,8 @@ export class Noting implements PointerTool {
             return true;
         }
         pageView.besidePointer.value = null;
-        const { point, surface } = aimed;
-        pageView.writeNote({ annotation: null, text: '', position: point, surface });
+        const { point, on } = aimed;
+        pageView.writeNote({ annotation: null, text: '', position: point, surface: on?.surface ?? null });
         return true;
     }
 

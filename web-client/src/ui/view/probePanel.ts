@@ -3,17 +3,20 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { FieldDescription, Vec3 } from '../../protocol/messages.ts';
 import { centreOf } from '../../scene/domain/domainAxes.ts';
 import { shortNumber, valueNumber } from '../../scene/base/numbers.ts';
+import type { FlowScene } from '../../scene/scene.ts';
 import { distance, nothingThere, type Probing } from '../../session/tools/pointTools.ts';
 import { coordinateField, timeWords, withUnit } from '../../session/picture/writtenNumbers.ts';
-import type { ProbeReading, ViewState } from '../../state/viewState.ts';
+import type { ProbeReading, SeenPlace, ViewState } from '../../state/viewState.ts';
 import type { AppState } from '../../state/appState.ts';
 import { ModelElement } from '../base/signalElement.ts';
+import { ageName, colourTitle } from '../look/colourNames.ts';
 import { vectorFields } from '../base/rows.ts';
 import { isolated } from '../../state/announcements.ts';
 
 export interface ProbeModel {
-    state: Pick<AppState, 'dataset' | 'surfaces'>;
+    state: Pick<AppState, 'dataset' | 'surfaces' | 'outcomes'>;
     view: ViewState;
+    scene: Pick<FlowScene, 'surfaces'>;
     probing: Pick<Probing, 'probeThere'>;
 }
 
@@ -58,12 +61,13 @@ export class ProbePanel extends ModelElement<ProbeModel> {
         `;
     }
 
-    private reading({ inside, time, values }: ProbeReading): TemplateResult {
+    private reading({ inside, time, values, on }: ProbeReading): TemplateResult {
         if (!inside) {
             return html`<p class="quiet">There is no flow at this point: it is outside the domain or inside the body.</p>`;
         }
         const fields = this.model.state.dataset.value?.fields ?? [];
         return html`<dl id="probe-values">
+            ${on === null ? nothing : this.onSurface(on, time)}
             ${values.map(({ name, value }) => {
                 const { unit, range } = fields.find((field) => field.name === name) ?? noField;
                 return html`<dt>${isolated(name)}${unit === undefined ? '' : ` (${isolated(unit)})`}</dt>
@@ -72,6 +76,31 @@ export class ProbePanel extends ModelElement<ProbeModel> {
             <dt>at</dt>
             <dd>t = ${timeWords(this.model.state, this.model.view, time)}</dd>
         </dl>`;
+    }
+
+    /** What is seen there comes first. */
+    private onSurface({ surface, s, t, scalar }: SeenPlace, time: number): TemplateResult | typeof nothing {
+        const { state, view, scene } = this.model;
+        const record = state.surfaces.value.get(surface);
+        const span = scene.surfaces.spanOf(surface);
+        if (record === undefined || span === null) return nothing;
+        const { style, colours } = span;
+        const age = style.tIsRelease ? time - t : t;
+        const title = colourTitle(style, state.dataset.value, record.kind, view.units.value);
+        const shown = style.source === 's' ? s : style.source === 'age' ? age : scalar;
+        const error = state.outcomes.value.get(surface)?.error99;
+        const isAge = style.source === 'age' || record.kind === 'level';
+        return html`${
+            style.source === 'constant'
+                ? nothing
+                : html`<dt>${title}</dt><dd id="probe-colour">${valueWords(shown, colours)}</dd>`
+        }
+            ${isAge ? nothing : html`<dt>${ageName(record.kind)}</dt><dd>${withUnit(shortNumber(age), record.kind === 'time' ? '' : view.units.value.time)}</dd>`}
+            ${
+                error === undefined
+                    ? nothing
+                    : html`<dt>surface within</dt><dd>${withUnit(shortNumber(Number(error.toPrecision(2))), view.units.value.length)}, 99 % of it</dd>`
+            }`;
     }
 
     private measured(): TemplateResult | typeof nothing {
