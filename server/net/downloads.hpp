@@ -1,4 +1,4 @@
-// Whole meshes over HTTP: a surface as a file for other programs, and a dataset's obstacle for the page.
+// Whole meshes over HTTP: a surface as a file for other programs, a dataset's obstacle, and its values on a plane.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -7,6 +7,7 @@
 #include "server/net/http_message.hpp"
 #include "server/net/number_downloads.hpp"
 #include "server/net/shared_files.hpp"
+#include "server/net/slice_downloads.hpp"
 #include "server/sessions/session_directory.hpp"
 
 #include <string>
@@ -54,6 +55,7 @@ class Downloads {
     core::MemoryAccount account_;
     SharedFiles files_;
     NumberDownloads numbers_;
+    SliceDownloads slices_;
 };
 
 } // namespace wakesurf::server
