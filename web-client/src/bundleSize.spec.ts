@@ -36,8 +36,8 @@ describe.skipIf(!built)('the bundle', () => {
         expect(start.length).toBeLessThan(assets.length);
         expect(gzippedKilobytes(start, '.js')).toBeLessThan(310);
         expect(gzippedKilobytes(start, '.js')).toBeGreaterThan(250);
-        // With what is loaded later: curved cells, bodies, films, numbers and comparing.
-        expect(gzippedKilobytes(assets, '.js')).toBeLessThan(345);
+        // With what is loaded later: curved cells, bodies, films, numbers, comparing and slices.
+        expect(gzippedKilobytes(assets, '.js')).toBeLessThan(350);
         expect(gzippedKilobytes(assets, '.wasm')).toBeLessThan(85);
     });
 

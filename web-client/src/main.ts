@@ -54,6 +54,7 @@ import { App } from './ui/app.ts';
 import { listenForPresses, listenForUndoKeys } from './ui/base/keyboard.ts';
 import { recallPanel } from './ui/view/room.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
+import { loadSlices } from './ui/slices/loadSlices.ts';
 import { WorkerClient } from './worker/workerClient.ts';
 
 const noWebGl2 =
@@ -149,6 +150,7 @@ function start(app: App): void {
         time: () => playback.time.value,
         moves: () => playback.mode.value === 'clock',
     });
+    const slices = loadSlices({ state, scene, server, worker, edits, time: () => playback.time.value });
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
     const events = new ServerEvents({ state, feed, outcomes, people, progress, families, dataset, controller });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
@@ -182,7 +184,7 @@ function start(app: App): void {
     };
     app.begin({
         state,
-        scalarBar: { state, view, scene },
+        scalarBar: { state, view, scene, slices },
         viewButtons: { view, scene },
         tools: { state, view },
         tour: { state, view, edits, scene },
@@ -205,6 +207,7 @@ function start(app: App): void {
             rakeList: { state, view, edits },
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
+            slices,
             look: { state, view, edits, scene, bodyFlow, ownCopy },
             bookmarks: { state, views, calls, clock },
             probe: { state, view, probing },

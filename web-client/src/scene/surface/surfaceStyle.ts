@@ -21,7 +21,7 @@ export interface SurfaceStyle {
     /** Null: from the least to the greatest that there is. */
     range: readonly [number, number] | null;
     /** Whose range that is, for people. */
-    rangeOf: 'surface' | 'surfaces' | 'data' | 'locked' | 'film';
+    rangeOf: 'surface' | 'surfaces' | 'data' | 'locked' | 'film' | 'slice';
     /** The least and the greatest value that lie below and above the range, for people; null: none does. */
     beyond: readonly [number | null, number | null];
     /** The range is made symmetric round this value. */

@@ -1,4 +1,5 @@
 // @vitest-environment happy-dom
+import { signal } from '@preact/signals-core';
 import { expect, it } from 'vitest';
 import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
 import { plainStyle } from '../../scene/surface/surfaceStyle.ts';
@@ -6,10 +7,14 @@ import { PageBench } from '../../testing/pageBench.ts';
 import { ShownPanel } from '../../testing/shownPanel.ts';
 import './scalarBar.ts';
 
-async function barOf(drawn: Partial<SurfaceSpan>): Promise<ShownPanel> {
+async function barOf(drawn: Partial<SurfaceSpan>, slices: unknown = null): Promise<ShownPanel> {
     const span = { colours: [0, 2], t: [0, 1], s: [0, 1], age: [0, 1], style: plainStyle, lacks: '', ...drawn };
     const bench = new PageBench();
-    return ShownPanel.of('wakesurf-scalar-bar', { ...bench, scene: { surfaces: { spanOf: () => span } } });
+    return ShownPanel.of('wakesurf-scalar-bar', {
+        ...bench,
+        scene: { surfaces: { spanOf: () => span } },
+        slices: signal(slices),
+    });
 }
 
 it('the scalar bar says what a surface has no values of, and has no colours for it', async () => {
@@ -26,4 +31,11 @@ it('the scalar bar is not there where one colour was chosen, and has colours whe
     const bar = await barOf({});
     expect(bar.all('figure')).toHaveLength(1);
     expect(bar.text).not.toContain('no values');
+});
+
+it('the scalar bar says what the colours of a slice mean', async () => {
+    const meanings = signal(new Map([['c1', { field: 'vorticity_z', map: 'coolToWarm', range: [-3, 3], contours: 0 }]]));
+    const bar = await barOf({ style: { ...plainStyle, source: 'constant' } }, { slices: { meanings } });
+    expect(bar.all('figure')).toHaveLength(1);
+    expect(bar.get('figure').getAttribute('aria-label')).toContain('Vorticity z from −3 to 3');
 });

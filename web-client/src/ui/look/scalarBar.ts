@@ -1,13 +1,15 @@
 // Shows what colours mean: a bar for each field that is seen, with the colour table and numbers, as text that
 // can be read aloud.
+import type { ReadonlySignal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, colourTicks, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
 import type { SurfaceSpan } from '../../scene/surface/surfaceLayer.ts';
 import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
-import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
+import { plainStyle, type SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import type { Slices } from '../../session/picture/slicesInPicture.ts';
 import { intervalError } from '../../session/picture/surfaceStyleOf.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import { colourTitle } from './colourNames.ts';
@@ -17,6 +19,8 @@ export interface ScalarBarModel {
     state: AppState;
     view: ViewState;
     scene: Pick<FlowScene, 'surfaces'>;
+    /** Null: not loaded yet. */
+    slices: ReadonlySignal<{ slices: Pick<Slices, 'meanings'> } | null>;
 }
 
 const rangeWords = {
@@ -25,6 +29,7 @@ const rangeWords = {
     data: 'of all the data',
     locked: 'locked',
     film: 'of the whole film',
+    slice: '',
 };
 /** More would cover the picture. */
 const barsAtMost = 4;
@@ -146,7 +151,20 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             if (held === undefined) bars.set(key, { title, span, of: [of] });
             else if (!held.of.includes(of)) held.of.push(of);
         }
-        return [...bars.values()];
+        return [...bars.values(), ...this.barsOfSlices()];
+    }
+
+    private barsOfSlices(): Bar[] {
+        const { state, view, slices } = this.model;
+        const dataset = state.dataset.value;
+        // Slices of one field have the same colours.
+        const fields = new Map([...(slices.value?.slices.meanings.value.values() ?? [])].map((each) => [each.field, each]));
+        return [...fields.values()].map(({ field, map, range }) => {
+            const scalar = field === dataset?.velocity ? 'speed' : field;
+            const style: SurfaceStyle = { ...plainStyle, scalar, map, rangeOf: 'slice' };
+            const title = colourTitle(style, dataset, undefined, view.units.value);
+            return { title, span: { colours: range, t: range, s: range, age: range, style, lacks: '' }, of: ['slice'] };
+        });
     }
 
     private bar({ title, span, of }: Bar, severalBars: boolean): TemplateResult {
