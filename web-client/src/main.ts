@@ -155,7 +155,7 @@ function start(app: App): void {
     const events = new ServerEvents({ state, feed, outcomes, people, progress, families, dataset, controller });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar, { state, worker });
-    const film = new FilmMaker({ state, view, worker, edits, playback, bodyFlow, figure });
+    const film = new FilmMaker({ state, view, worker, edits, playback, bodyFlow, slices, figure });
     const mesh = new MeshDownload(server);
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
@@ -163,7 +163,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
-    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFlow, latency, canvas, figure }) });
+    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFlow, slices, latency, canvas, figure }) });
     recallPanel(view);
     listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures, () => state.notices.passed('press'));
@@ -184,7 +184,7 @@ function start(app: App): void {
     };
     app.begin({
         state,
-        scalarBar: { state, view, scene, slices },
+        scalarBar: { state, view, scene, slices: slices.model },
         viewButtons: { view, scene },
         tools: { state, view },
         tour: { state, view, edits, scene },
@@ -207,7 +207,7 @@ function start(app: App): void {
             rakeList: { state, view, edits },
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
-            slices,
+            slices: slices.model,
             look: { state, view, edits, scene, bodyFlow, ownCopy },
             bookmarks: { state, views, calls, clock },
             probe: { state, view, probing },

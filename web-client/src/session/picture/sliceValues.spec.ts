@@ -63,7 +63,9 @@ describe('the values of a slice', () => {
         await server.answer();
         expect(server.asked).toEqual(['0 coarse']);
         await vi.advanceTimersByTimeAsync(200);
+        expect(server.values.unfinished).toBe(true);
         await server.answer();
+        expect(server.values.unfinished).toBe(false);
         await vi.advanceTimersByTimeAsync(1000);
         expect(server.asked).toEqual(['0 coarse', '0 fine']);
         expect(server.arrived).toEqual([0, 0]);

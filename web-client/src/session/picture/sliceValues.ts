@@ -21,6 +21,8 @@ export interface SliceValuesOptions {
     arrived: (id: string, raster: SliceRaster, wish: SliceWish) => void;
     /** Why there are none for what is wanted; null: there are. */
     told: (id: string, fault: string | null) => void;
+    /** Told when `unfinished` may be another. */
+    changed?: () => void;
     now?: () => number;
 }
 
@@ -59,6 +61,7 @@ export class SliceValues {
         clearTimeout(slice.rest);
         if (slice.asked !== null && slice.asked.samples > this.coarseSamples) slice.asked.abort.abort();
         this.next(id, slice);
+        this.options.changed?.();
     }
 
     remove(id: string): void {
@@ -66,6 +69,12 @@ export class SliceValues {
         clearTimeout(slice?.rest);
         slice?.asked?.abort.abort();
         this.slices.delete(id);
+        this.options.changed?.();
+    }
+
+    /** A slice is not there, or not as fine as the screen. */
+    get unfinished(): boolean {
+        return [...this.slices.values()].some(({ key, answered }) => answered.key !== key || answered.samples < this.fullSamples);
     }
 
     /** The screen has changed: slices that stand still may have to be finer. */
@@ -126,6 +135,7 @@ export class SliceValues {
             if (key === slice.key) told(id, fault);
         }
         this.next(id, slice);
+        this.options.changed?.();
     }
 
     /** The time goes with the number of samples, the square of those along a side. */

@@ -40,6 +40,8 @@ export class Slices {
     readonly meanings = signal<ReadonlyMap<string, SliceMeaning>>(new Map());
     /** Why nothing is seen of one. */
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
+    /** One is not there, or not as fine as the screen. */
+    readonly waiting = signal(false);
     /** Lines of equal values of each; a look of this page. */
     readonly contours = signal(0);
     private readonly options: SlicesOptions;
@@ -49,6 +51,7 @@ export class Slices {
     /** Between which values of a field lie, by field, as far as slices have shown. */
     private readonly spans = new Map<string, [number, number]>();
     private readonly drafts = new Map<string, SlicePlace>();
+    private readonly acts = new Map<string, string>();
     private readonly sending = new Set<string>();
 
     constructor(options: SlicesOptions) {
@@ -60,6 +63,7 @@ export class Slices {
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
             arrived: (id, raster, wish) => this.arrived(id, raster, wish),
             told: (id, fault) => this.tell(id, fault),
+            changed: () => (this.waiting.value = this.values.unfinished),
         });
         effect(() => {
             const records = state.slices.value;
@@ -103,6 +107,8 @@ export class Slices {
         const place = this.places.value.get(id);
         if (place === undefined) return;
         this.drafts.set(id, { ...place, ...change });
+        // Another field is another act than another place, also where one follows the other fast.
+        this.acts.set(id, `slice ${id} ${Object.keys(change).join(' ')}`);
         this.publish();
         if (!this.sending.has(id)) void this.send(id);
     }
@@ -126,7 +132,7 @@ export class Slices {
             for (let sent: SlicePlace | undefined; sent !== this.drafts.get(id);) {
                 sent = this.drafts.get(id)!;
                 const { dataset } = state.slices.value.get(id)!;
-                const gesture = edits.gestures.slid(`slice ${id}`, performance.now());
+                const gesture = edits.gestures.slid(this.acts.get(id) ?? id, performance.now());
                 await worker.call('slice.set', { slice: id, dataset, ...sent, gesture });
                 edits.history.noted(gesture);
             }
@@ -170,6 +176,8 @@ export class Slices {
         const shown = Number.isNaN(now) ? first : now;
         const time = steady || times.length < 2 ? null : grid === 'analytic' ? shown : Math.min(last, Math.max(first, shown));
         for (const [id, { origin, normal, field }] of this.places.value) {
+            // The edit is about to be refused, in words.
+            if (!meets(description.bounds, origin, normal)) continue;
             this.values.want(id, { dataset, origin, normal, field, time });
         }
     }
@@ -233,6 +241,16 @@ export class Slices {
         else faults.set(id, fault);
         this.faults.value = faults;
     }
+}
+
+/** A plane has something of the box in it, or on it. */
+function meets(bounds: readonly number[], origin: Vec3, normal: Vec3): boolean {
+    const heights = [0, 1, 2].map((k) => [0, 1].map((end) => (bounds[2 * k + end]! - origin[k]!) * normal[k]!));
+    const [low, high] = [Math.min, Math.max].map((end) => heights.reduce((sum, pair) => sum + end(...pair), 0)) as [
+        number,
+        number,
+    ];
+    return low <= 0 && high >= 0;
 }
 
 /** Without what the server alone writes. */

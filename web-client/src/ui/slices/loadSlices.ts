@@ -1,13 +1,21 @@
 // Slices and their panel come after the first picture: few pages need them before that.
-import { type ReadonlySignal, signal } from '@preact/signals-core';
+import { computed, type ReadonlySignal, signal } from '@preact/signals-core';
 import type { SlicesOptions } from '../../session/picture/slicesInPicture.ts';
 import type { SlicesModel } from './slicesPanel.ts';
 
-/** Returns null until they are loaded. */
-export function loadSlices(options: SlicesOptions): ReadonlySignal<SlicesModel | null> {
-    const loaded = signal<SlicesModel | null>(null);
+export interface LoadedSlices {
+    /** Null: not loaded yet. */
+    model: ReadonlySignal<SlicesModel | null>;
+    /** What the session has of them is not all in the picture. */
+    waiting: ReadonlySignal<boolean>;
+}
+
+export function loadSlices(options: SlicesOptions): LoadedSlices {
+    const { state } = options;
+    const model = signal<SlicesModel | null>(null);
     void import('./slicesPanel.ts').then(({ Slices }) => {
-        loaded.value = { state: options.state, slices: new Slices(options) };
+        model.value = { state, slices: new Slices(options) };
     });
-    return loaded;
+    const waiting = computed(() => state.slices.value.size > 0 && (model.value?.slices.waiting.value ?? true));
+    return { model, waiting };
 }
