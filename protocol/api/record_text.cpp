@@ -71,6 +71,7 @@ void members(Io& io, Of<Io, SessionHead>& of) {
     io.needed("nextBookmark", of.next_bookmark, {.lo = 1, .hi = most_whole});
     io.needed("nextAnnotation", of.next_annotation, {.lo = 1, .hi = most_whole});
     io.some("units", of.units);
+    io.some("nextSlice", of.next_slice, {.lo = 1, .hi = most_whole}); // older sessions have none
 }
 
 namespace {
@@ -99,6 +100,7 @@ std::string record_text(const Record& record) {
 
 template std::string record_text(const RakeRecord&);
 template std::string record_text(const SurfaceRecord&);
+template std::string record_text(const SliceRecord&);
 template std::string record_text(const BookmarkRecord&);
 template std::string record_text(const AnnotationRecord&);
 template std::string record_text(const ClockRecord&);
@@ -121,6 +123,10 @@ core::Result<RakeRecord> parse_rake(std::string_view text) {
 
 core::Result<SurfaceRecord> parse_surface(std::string_view text) {
     return parse<SurfaceRecord>(text);
+}
+
+core::Result<SliceRecord> parse_slice(std::string_view text) {
+    return parse<SliceRecord>(text);
 }
 
 core::Result<BookmarkRecord> parse_bookmark(std::string_view text) {

@@ -6,6 +6,7 @@
 #include "protocol/api/generated/annotation.hpp"
 #include "protocol/api/generated/bookmark.hpp"
 #include "protocol/api/generated/rake.hpp"
+#include "protocol/api/generated/slice.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/time.hpp"
 
@@ -39,6 +40,7 @@ struct SessionHead {
     std::uint64_t next_bookmark = 1;
     std::uint64_t next_annotation = 1;
     SessionUnits units{};
+    std::uint64_t next_slice = 1;
 
     bool operator==(const SessionHead&) const = default;
 };
@@ -109,6 +111,7 @@ nlohmann::json units_json(const SessionUnits& units);
 /// Read it back. Error: Corrupt, OverLimit. A number comes back with the very same bits.
 core::Result<RakeRecord> parse_rake(std::string_view text);
 core::Result<SurfaceRecord> parse_surface(std::string_view text);
+core::Result<SliceRecord> parse_slice(std::string_view text);
 core::Result<BookmarkRecord> parse_bookmark(std::string_view text);
 core::Result<AnnotationRecord> parse_annotation(std::string_view text);
 core::Result<ClockRecord> parse_clock(std::string_view text);

@@ -34,7 +34,7 @@ struct DatasetMark {
 
 /// Holds a record as the journal keeps it.
 struct FileRecord {
-    std::string type; ///< rake, surface, bookmark, annotation, clock
+    std::string type; ///< rake, surface, slice, bookmark, annotation, clock
     std::string id;   ///< of the clock: empty
     std::string text; ///< JSON
 };

@@ -14,7 +14,8 @@ namespace wakesurf::server {
 
 /// Holds a record as it is now, or its deletion.
 struct JournalEntry {
-    std::string type; ///< `session`, `rake`, `surface`, `bookmark`, `annotation`, `grant`, ...
+    std::string
+        type; ///< `session`, `rake`, `surface`, `slice`, `bookmark`, `annotation`, `grant`, ...
     std::string id;
     /// JSON text; empty: deleted.
     std::optional<std::string> record;

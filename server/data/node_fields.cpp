@@ -181,11 +181,17 @@ NodeFields::~NodeFields() {
     ticket_.reset(); // waits for a running call
 }
 
-core::Result<NodeField> NodeFields::find(const std::string& name) const {
+namespace {
+
+core::Result<NodeField> named_field(const std::string& name,
+                                    const std::string& velocity,
+                                    const store::StoreScalars* scalars,
+                                    std::span<const core::FieldInfo> of_files) {
     using Source = NodeField::Source;
-    if (const auto scalar = scalars_->find(name))
-        return NodeField{name, Source::Scalar, *scalar};
-    if (name == velocity_)
+    if (scalars != nullptr)
+        if (const auto scalar = scalars->find(name))
+            return NodeField{name, Source::Scalar, *scalar};
+    if (name == velocity)
         return NodeField{name, Source::Speed, 0};
     const auto& components = core::velocity_component_names;
     if (const auto found = std::ranges::find(components, name); found != components.end())
@@ -193,8 +199,38 @@ core::Result<NodeField> NodeFields::find(const std::string& name) const {
                          static_cast<std::size_t>(found - components.begin())};
     if (const auto derived = core::find_gradient_field(name))
         return NodeField{name, Source::Gradient, static_cast<std::size_t>(*derived)};
-    return tl::unexpected(no_such_field(
-        "field", name, node_field_names(scalars_->names(), velocity_), options_.of_files));
+    const auto stored = scalars == nullptr ? std::vector<std::string>{} : scalars->names();
+    return tl::unexpected(
+        no_such_field("field", name, node_field_names(stored, velocity), of_files));
+}
+
+} // namespace
+
+core::Result<NodeField> find_node_field(const std::string& name,
+                                        const core::DatasetInfo& info,
+                                        const store::StoreScalars* scalars) {
+    return named_field(name, info.velocity, scalars, info.fields);
+}
+
+core::SampledField sampled(const NodeField& field, const store::StoreScalars* scalars) {
+    switch (field.source) {
+    case NodeField::Source::Scalar:
+        return core::StoredScalar{scalars, field.index};
+    case NodeField::Source::VelocityComponent: {
+        core::Vec3 direction(0.0);
+        direction[static_cast<int>(field.index)] = 1.0;
+        return core::VelocityAlong{direction};
+    }
+    case NodeField::Source::Gradient:
+        return static_cast<core::GradientField>(field.index);
+    case NodeField::Source::Speed:
+        break;
+    }
+    return core::SpeedField{};
+}
+
+core::Result<NodeField> NodeFields::find(const std::string& name) const {
+    return named_field(name, velocity_, scalars_.get(), options_.of_files);
 }
 
 core::Result<void> NodeFields::check_field(const std::string& name) const {

@@ -5,6 +5,7 @@
 #include "core/base/memory_account.hpp"
 #include "core/dataset/dataset_info.hpp"
 #include "core/field/flow.hpp"
+#include "core/field/sampled_field.hpp"
 #include "core/surface/level/level_source.hpp"
 #include "store/store_reader.hpp"
 #include "store/store_scalars.hpp"
@@ -31,6 +32,15 @@ struct NodeField {
 
     bool operator==(const NodeField&) const = default;
 };
+
+/// Finds a field by its name: a stored scalar, the velocity for its magnitude, or what is made of the velocity.
+/// @param scalars  of the store; null for a built-in flow. Error: NotFound, saying what there is.
+core::Result<NodeField> find_node_field(const std::string& name,
+                                        const core::DatasetInfo& info,
+                                        const store::StoreScalars* scalars);
+
+/// Returns the field for samplers, which must not outlive `scalars`.
+core::SampledField sampled(const NodeField& field, const store::StoreScalars* scalars);
 
 /// Thread-safe.
 class NodeFields final : public core::LevelSource {

@@ -58,8 +58,6 @@ core::Result<std::map<std::string, std::string>> url_query(std::string_view text
     return out;
 }
 
-namespace {
-
 std::optional<double> finite_number(const std::string& text) {
     double value = 0.0;
     const char* const end = text.data() + text.size();
@@ -68,6 +66,8 @@ std::optional<double> finite_number(const std::string& text) {
         return std::nullopt;
     return value;
 }
+
+namespace {
 
 core::Result<void> read_time(const std::string& text, DownloadRequest& out) {
     out.at_the_end = text == "end";

@@ -17,6 +17,9 @@ namespace wakesurf::server {
 /// InvalidArgument for a part without `=`, a name twice, or a percent sign without two digits.
 core::Result<std::map<std::string, std::string>> url_query(std::string_view text);
 
+/// Reads the whole of a text as a finite number.
+std::optional<double> finite_number(const std::string& text);
+
 struct DownloadRequest {
     protocol::MeshFormat format = protocol::MeshFormat::Vtp;
     protocol::GlbCoding glb = protocol::GlbCoding::Draco;

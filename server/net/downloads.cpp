@@ -144,7 +144,8 @@ Downloads::Downloads(Loop& loop,
                      File viewer)
     : sessions_(sessions), catalogue_(catalogue), account_(account), files_(loop, pool, &account_),
       numbers_(sessions_, catalogue_, account_, files_),
-      animations_(sessions_, catalogue_, account_, files_, std::move(viewer)) {}
+      animations_(sessions_, catalogue_, account_, files_, std::move(viewer)),
+      slices_(loop, pool, catalogue_, account_) {}
 
 bool Downloads::handle(const HttpRequest& request,
                        const Identity& identity,
@@ -154,6 +155,9 @@ bool Downloads::handle(const HttpRequest& request,
     if (parts.size() == 6 && request.path.starts_with("/api/v1/datasets/") &&
         parts[5] == "obstacle.bin")
         obstacle(request, identity, part(4), respond);
+    else if (parts.size() == 6 && request.path.starts_with("/api/v1/datasets/") &&
+             parts[5] == slice_file_name)
+        slices_.get(request, turns_of("slice", identity), part(4), respond);
     else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
              parts[5] == "surfaces" && parts[7] == numbers_file)
         numbers_.get(request, identity, part(4), part(6), respond);

@@ -1,4 +1,4 @@
-// Whole meshes over HTTP: a surface as a file for other programs, and a dataset's obstacle for the page.
+// Whole meshes over HTTP: a surface as a file for other programs, a dataset's obstacle, and its values on a plane.
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -8,6 +8,7 @@
 #include "server/net/http_message.hpp"
 #include "server/net/number_downloads.hpp"
 #include "server/net/shared_files.hpp"
+#include "server/net/slice_downloads.hpp"
 #include "server/sessions/session_directory.hpp"
 
 #include <string>
@@ -57,6 +58,7 @@ class Downloads {
     SharedFiles files_;
     NumberDownloads numbers_;
     AnimationDownloads animations_;
+    SliceDownloads slices_;
 };
 
 } // namespace wakesurf::server

@@ -155,7 +155,8 @@ void SharedFiles::get(const std::string& tag,
                       const std::string& asker,
                       Make make,
                       const std::stop_token& gone,
-                      Done done) {
+                      Done done,
+                      PriorityClass priority) {
     if (const File kept = state_->kept->find(tag))
         return done(kept);
     auto& flight = state_->flights[tag];
@@ -167,7 +168,7 @@ void SharedFiles::get(const std::string& tag,
     waiter.done = std::move(done);
     if (first)
         state_->pool.run(
-            asker, PriorityClass::Long,
+            asker, priority,
             [flight, make = std::move(make), tag, weak = std::weak_ptr(state_),
              &loop = state_->loop, account = state_->account] {
                 core::MemoryAccount::Share share = account != nullptr

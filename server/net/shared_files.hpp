@@ -39,12 +39,14 @@ class SharedFiles {
     /// Calls `done` once, now or later, unless `gone` fires before, on this thread. A file is abandoned when
     /// no client waits for it.
     /// @param tag    the same tag, the same bytes
-    /// @param asker  the key for taking turns: one file of each key is made at a time
+    /// @param asker  the key for taking turns: one long file of each key is made at a time
+    /// @param priority  by how long making it takes
     void get(const std::string& tag,
              const std::string& asker,
              Make make,
              const std::stop_token& gone,
-             Done done);
+             Done done,
+             PriorityClass priority = PriorityClass::Long);
 
     /// Returns the number of files that are being made or queued.
     std::size_t making() const;

@@ -169,6 +169,11 @@ class Session {
     core::Result<protocol::SurfaceRecord> set_surface(const protocol::SurfaceSetting& setting,
                                                       const Author& author = {});
 
+    /// Creates or replaces a slice. Error: NotFound (slice, dataset), InvalidArgument (the field), OutOfDomain
+    /// where the plane misses the dataset, OverLimit.
+    core::Result<protocol::SliceRecord> set_slice(const protocol::SliceSetting& setting,
+                                                  const Author& author = {});
+
     /// Error: NotFound, OverLimit.
     core::Result<protocol::BookmarkRecord> set_bookmark(const protocol::BookmarkSetting& setting,
                                                         const Author& author = {});

@@ -47,7 +47,8 @@ protocol::SessionHead Session::head() const {
             records_.next_number(RecordType::Surface),
             records_.next_number(RecordType::Bookmark),
             records_.next_number(RecordType::Annotation),
-            units_};
+            units_,
+            records_.next_number(RecordType::Slice)};
 }
 
 std::vector<JournalEntry> Session::own_entries() const {

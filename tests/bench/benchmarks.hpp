@@ -55,6 +55,9 @@ void register_between_benchmarks();
 /// 30 level sets of one field, one after the other, each to its frames.
 void register_level_benchmark();
 
+/// 30 slices of one field, as a plane is dragged: coarse, and at the resolution of a screen.
+void register_slice_benchmark();
+
 /// Single steps of a streak surface of 100,000 vertices: whole frames with refinement, on one thread and on
 /// two.
 void register_streak_frame_benchmarks();

@@ -68,6 +68,7 @@ int measure(const server::BenchOptions& options) {
     register_stream_surface_benchmarks();
     register_streak_frame_benchmarks();
     register_level_benchmark();
+    register_slice_benchmark();
     register_interval_error_benchmarks();
     register_between_benchmarks();
     register_accuracy_benchmarks(*loaded);

@@ -189,6 +189,9 @@ class OpenRpcTest(unittest.TestCase):
                 ask("time.set", time=None)
             mark = ask("bookmark.set", name="here", view={"camera": [1, 2]}, time=1.5)["bookmark"]
             note = ask("annotation.set", text="look", position=[0, 0, 0], surface=surface)["annotation"]
+            plane = ask("slice.set", dataset="lamb-oseen", origin=[0, 0, 0], normal=[0, 0, 1], field="vorticity_z")["slice"]
+            refused(wakesurf.OutsideDomain, host, "slice.set", dataset="lamb-oseen", origin=[0, 0, 99], normal=[0, 0, 1])
+            ask("slice.list")
             ask("bookmark.list")
             ask("annotation.list")
             ask("session.state")
@@ -225,6 +228,7 @@ class OpenRpcTest(unittest.TestCase):
             refused(wakesurf.NotPermitted, other, "family.remove", dataset="stored", name="psi")
             ask("bookmark.delete", bookmark=mark)
             ask("annotation.delete", annotation=note)
+            ask("slice.delete", slice=plane)
             ask("surface.delete", surface=moving)
             ask("rake.delete", rake=rake)
             ask("$/cancelRequest", id=12345)

@@ -36,7 +36,7 @@ describe.skipIf(!built)('the bundle', () => {
         expect(start.length).toBeLessThan(assets.length);
         expect(gzippedKilobytes(start, '.js')).toBeLessThan(330);
         expect(gzippedKilobytes(start, '.js')).toBeGreaterThan(250);
-        // With what is loaded later: curved cells, bodies, films, numbers and comparing.
+        // With what is loaded later: curved cells, bodies, films, numbers, comparing and slices.
         expect(gzippedKilobytes(assets, '.js')).toBeLessThan(360);
         expect(gzippedKilobytes(assets, '.wasm')).toBeLessThan(85);
     });

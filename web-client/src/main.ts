@@ -54,6 +54,7 @@ import { App } from './ui/app.ts';
 import { listenForPresses, listenForUndoKeys } from './ui/base/keyboard.ts';
 import { recallPanel } from './ui/view/room.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
+import { loadSlices } from './ui/slices/loadSlices.ts';
 import { WorkerClient } from './worker/workerClient.ts';
 
 const noWebGl2 =
@@ -149,11 +150,12 @@ function start(app: App): void {
         time: () => playback.time.value,
         moves: () => playback.mode.value === 'clock',
     });
+    const slices = loadSlices({ state, scene, server, worker, edits, time: () => playback.time.value });
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
     const events = new ServerEvents({ state, feed, outcomes, people, progress, families, dataset, controller });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar, { state, worker });
-    const film = new FilmMaker({ state, view, worker, edits, playback, bodyFields, figure });
+    const film = new FilmMaker({ state, view, worker, edits, playback, bodyFields, slices, figure });
     const mesh = new MeshDownload(server);
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());
@@ -161,7 +163,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
-    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFields, latency, canvas, figure }) });
+    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFields, slices, latency, canvas, figure }) });
     recallPanel(view);
     listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures, () => state.notices.passed('press'));
@@ -182,7 +184,7 @@ function start(app: App): void {
     };
     app.begin({
         state,
-        scalarBar: { state, view, scene, bodyFields },
+        scalarBar: { state, view, scene, bodyFields, slices: slices.model },
         viewButtons: { view, scene },
         tools: { state, view },
         tour: { state, view, edits, scene },
@@ -205,6 +207,7 @@ function start(app: App): void {
             rakeList: { state, view, edits },
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
+            slices: slices.model,
             look: { state, view, edits, scene, bodyFields, ownCopy },
             bookmarks: { state, views, calls, clock },
             probe: { state, view, probing, scene },

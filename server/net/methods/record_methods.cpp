@@ -1,4 +1,4 @@
-// The methods on records: rakes, surfaces, bookmarks and annotations. What every type of record shares (a list, a deletion, a setter that may be
+// The methods on records: rakes, surfaces, slices, bookmarks and annotations. What every type of record shares (a list, a deletion, a setter that may be
 // meant for one revision only) comes first.
 #include "protocol/api/base/list_json.hpp"
 #include "server/net/methods/caller.hpp"
@@ -294,6 +294,21 @@ constexpr RecordHandlers<protocol::BookmarkRecord, protocol::BookmarkSetting> bo
 constexpr RecordHandlers<protocol::AnnotationRecord, protocol::AnnotationSetting>
     annotation_handlers{"annotation", &Session::set_annotation};
 
+constexpr RecordHandlers<protocol::SliceRecord, protocol::SliceSetting> slice_handlers{
+    "slice", &Session::set_slice};
+
+void slice_set(const Call& call, const protocol::SliceSetting& setting, Reply reply) {
+    slice_handlers.set(call, setting, setting.slice, std::move(reply));
+}
+
+void slice_delete(const Call& call, const protocol::SliceDelete& of, Reply reply) {
+    slice_handlers.remove(call, of, of.slice, std::move(reply));
+}
+
+void slice_list(const Call& call, const protocol::SliceList& of, Reply reply) {
+    list_records<protocol::SliceRecord>(call, of.session, std::move(reply), "slices");
+}
+
 void bookmark_set(const Call& call, const protocol::BookmarkSetting& setting, Reply reply) {
     bookmark_handlers.set(call, setting, setting.bookmark, std::move(reply));
 }
@@ -321,7 +336,8 @@ void annotation_list(const Call& call, const protocol::AnnotationList& of, Reply
 } // namespace
 
 std::vector<Method> mark_methods() {
-    return {method(bookmark_set),   method(bookmark_delete),   method(bookmark_list),
+    return {method(slice_set),      method(slice_delete),      method(slice_list),
+            method(bookmark_set),   method(bookmark_delete),   method(bookmark_list),
             method(annotation_set), method(annotation_delete), method(annotation_list)};
 }
 

@@ -91,6 +91,7 @@ json records_json(const Session& session) {
     json out = session_name_json({session.id(), session.name(), session.units()});
     out.update({{"rakes", all_json<protocol::RakeRecord>(session)},
                 {"surfaces", all_json<protocol::SurfaceRecord>(session)},
+                {"slices", all_json<protocol::SliceRecord>(session)},
                 {"bookmarks", all_json<protocol::BookmarkRecord>(session)},
                 {"annotations", all_json<protocol::AnnotationRecord>(session)},
                 {"clock", protocol::written(session.clock().record())}});

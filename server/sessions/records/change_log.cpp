@@ -16,6 +16,10 @@ Key log_key(const protocol::SurfaceRecord& record) {
     return {"surface", record.surface};
 }
 
+Key log_key(const protocol::SliceRecord& record) {
+    return {"slice", record.slice};
+}
+
 Key log_key(const protocol::BookmarkRecord& record) {
     return {"bookmark", record.bookmark};
 }

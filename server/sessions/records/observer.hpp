@@ -32,6 +32,7 @@ struct SessionName {
 
 using Patch = std::variant<protocol::RakeRecord,
                            protocol::SurfaceRecord,
+                           protocol::SliceRecord,
                            protocol::BookmarkRecord,
                            protocol::AnnotationRecord,
                            protocol::ClockRecord,

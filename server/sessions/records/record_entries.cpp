@@ -25,7 +25,8 @@ void clean_names(Record& record) {
             using Kind = std::decay_t<decltype(each)>;
             if constexpr (std::is_same_v<Kind, protocol::AnnotationRecord>)
                 each.text = core::display_lines(each.text, each.text.size());
-            else if constexpr (!std::is_same_v<Kind, protocol::SurfaceRecord>)
+            else if constexpr (!std::is_same_v<Kind, protocol::SurfaceRecord> &&
+                               !std::is_same_v<Kind, protocol::SliceRecord>)
                 clean(each.name);
             if constexpr (std::is_same_v<Kind, protocol::AnnotationRecord> ||
                           std::is_same_v<Kind, protocol::RakeRecord>)
@@ -39,6 +40,8 @@ core::Result<Record> parse(RecordType type, const std::string& text) {
     switch (type) {
     case RecordType::Surface:
         return protocol::parse_surface(text).map(wide);
+    case RecordType::Slice:
+        return protocol::parse_slice(text).map(wide);
     case RecordType::Bookmark:
         return protocol::parse_bookmark(text).map(wide);
     case RecordType::Annotation:
@@ -96,6 +99,7 @@ void take_head(const JournalEntry& entry, StoredRecords& into) {
     into.units = std::move(head->units);
     into.records.skip_numbers(RecordType::Rake, head->next_rake);
     into.records.skip_numbers(RecordType::Surface, head->next_surface);
+    into.records.skip_numbers(RecordType::Slice, head->next_slice);
     into.records.skip_numbers(RecordType::Bookmark, head->next_bookmark);
     into.records.skip_numbers(RecordType::Annotation, head->next_annotation);
 }

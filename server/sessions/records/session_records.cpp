@@ -10,7 +10,7 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr std::string_view id_letters = "rsba";
+constexpr std::string_view id_letters = "rscba"; // a slice is a cut
 
 char letter(RecordType type) {
     return id_letters[static_cast<std::size_t>(type)];
@@ -22,6 +22,10 @@ const std::string& record_id(const protocol::RakeRecord& record) {
 
 const std::string& record_id(const protocol::SurfaceRecord& record) {
     return record.surface;
+}
+
+const std::string& record_id(const protocol::SliceRecord& record) {
+    return record.slice;
 }
 
 const std::string& record_id(const protocol::BookmarkRecord& record) {
@@ -46,6 +50,10 @@ std::size_t extra_bytes(const protocol::SurfaceRecord& record) {
     return bytes;
 }
 
+std::size_t extra_bytes(const protocol::SliceRecord& record) {
+    return record.dataset.size() + record.field.size();
+}
+
 std::size_t extra_bytes(const protocol::BookmarkRecord& record) {
     return record.name.size() + record.view.size();
 }
@@ -60,6 +68,8 @@ auto look_up(const SessionRecords& records, const RecordKey& key, const Found& f
     switch (key.type) {
     case RecordType::Surface:
         return found(records.find<protocol::SurfaceRecord>(key.id));
+    case RecordType::Slice:
+        return found(records.find<protocol::SliceRecord>(key.id));
     case RecordType::Bookmark:
         return found(records.find<protocol::BookmarkRecord>(key.id));
     case RecordType::Annotation:
@@ -73,7 +83,8 @@ auto look_up(const SessionRecords& records, const RecordKey& key, const Found& f
 } // namespace
 
 std::string_view name(RecordType type) {
-    constexpr std::array<std::string_view, 4> names{"rake", "surface", "bookmark", "annotation"};
+    constexpr std::array<std::string_view, 5> names{"rake", "surface", "slice", "bookmark",
+                                                    "annotation"};
     return names[static_cast<std::size_t>(type)];
 }
 
@@ -85,8 +96,8 @@ tl::unexpected<core::Error> no_record(const RecordKey& key) {
 }
 
 std::size_t most_records(RecordType type) {
-    constexpr std::array<std::size_t, 4> counts{limits::rakes, limits::surfaces, limits::bookmarks,
-                                                limits::annotations};
+    constexpr std::array<std::size_t, 5> counts{limits::rakes, limits::surfaces, limits::slices,
+                                                limits::bookmarks, limits::annotations};
     return counts[static_cast<std::size_t>(type)];
 }
 
@@ -126,8 +137,8 @@ std::size_t SessionRecords::bytes(const RecordKey& key) const {
 }
 
 std::size_t SessionRecords::count(RecordType type) const {
-    const std::array<std::size_t, 4> sizes = std::apply(
-        [](const auto&... table) { return std::array<std::size_t, 4>{table.size()...}; }, tables_);
+    const std::array<std::size_t, 5> sizes = std::apply(
+        [](const auto&... table) { return std::array<std::size_t, 5>{table.size()...}; }, tables_);
     return sizes[static_cast<std::size_t>(type)];
 }
 

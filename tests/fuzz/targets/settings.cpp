@@ -7,6 +7,7 @@
 #include "protocol/api/generated/presence.hpp"
 #include "protocol/api/generated/rake.hpp"
 #include "protocol/api/generated/session.hpp"
+#include "protocol/api/generated/slice.hpp"
 #include "protocol/api/generated/subscription.hpp"
 #include "protocol/api/generated/surface.hpp"
 #include "protocol/api/generated/time.hpp"
@@ -43,6 +44,7 @@ void run(Input input) {
                    std::isfinite(surface->from.value_or(0.0)) &&
                    std::isfinite(surface->parameters.to),
                "the numbers of a surface are finite");
+    protocol::parse_call<protocol::SliceSetting>(*object);
     protocol::parse_call<protocol::BookmarkSetting>(*object);
     protocol::parse_call<protocol::AnnotationSetting>(*object);
     protocol::parse_call<protocol::PlaySetting>(*object);

@@ -319,6 +319,40 @@ TEST(Document, BookmarksAndAnnotationsAreLimitedInNumber) {
               Error::Code::OverLimit);
 }
 
+TEST(Document, ASliceShowsAFieldOfItsDatasetWhereItsPlaneMeetsIt) {
+    SessionBench bench;
+    server::Session& session = *bench.session;
+    const auto made = session.set_slice(slice_at(2), bench.ada);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(made->slice, "c1");
+    EXPECT_EQ(made->field, "velocity") << "for its magnitude, where none is named";
+    auto setting = slice_at(99, "c1");
+    const auto beside = session.set_slice(setting, bench.ada);
+    ASSERT_FALSE(beside);
+    EXPECT_EQ(beside.error().code, Error::Code::OutOfDomain);
+    EXPECT_NE(beside.error().message.find("misses the domain by"), std::string::npos);
+    setting = slice_at(1, "c1");
+    setting.field = "pressure";
+    const auto unknown = session.set_slice(setting, bench.ada);
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().code, Error::Code::InvalidArgument);
+    EXPECT_NE(unknown.error().hint.find("vorticity"), std::string::npos) << unknown.error().hint;
+    setting.field = "q_criterion";
+    EXPECT_EQ(session.set_slice(setting, bench.ada)->rev, 2u);
+    session.move_in_history(server::HistoryMove::Undo, bench.ada);
+    EXPECT_EQ(session.records().get<protocol::SliceRecord>("c1")->origin.x, 2.0);
+}
+
+TEST(Document, SlicesAreLimitedInNumber) {
+    SessionBench bench;
+    for (std::size_t i = 0; i < server::limits::slices; ++i)
+        ASSERT_TRUE(bench.session->set_slice(slice_at(1), bench.ada));
+    const auto more = bench.session->set_slice(slice_at(1), bench.ada);
+    ASSERT_FALSE(more);
+    EXPECT_EQ(more.error().code, Error::Code::OverLimit);
+    EXPECT_TRUE(bench.session->set_slice(slice_at(2, "c1"), bench.ada)) << "this one is there";
+}
+
 TEST(Document, AnAnnotationKeepsItsAuthorAndOutlivesItsSurface) {
     SessionBench bench;
     const auto rake = bench.session->set_rake(rake_at(0), bench.ada)->record.rake;

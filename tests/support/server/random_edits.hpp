@@ -17,7 +17,7 @@ class RandomEdits {
         server::Author author = some_author();
         if (random_() % 3 == 0)
             author.gesture = random_() % 2 == 0 ? "slide" : "paint";
-        switch (random_() % 16) {
+        switch (random_() % 18) {
         case 0:
         case 1:
             (void)session.set_rake(rake_at(coordinate()), author);
@@ -61,6 +61,13 @@ class RandomEdits {
         case 12:
             (void)session.remove(
                 {server::RecordType::Annotation, some(server::RecordType::Annotation)}, author);
+            break;
+        case 15:
+            (void)session.set_slice(slice_at(double(random_() % 9), some_or_new("c")), author);
+            break;
+        case 16:
+            (void)session.remove({server::RecordType::Slice, some(server::RecordType::Slice)},
+                                 author);
             break;
         case 13:
             (void)session.move_in_history(server::HistoryMove::Undo, author);

@@ -127,6 +127,16 @@ inline std::vector<RecordShape> other_shapes() {
         return text;
     }();
     return {
+        {"a slice", "slice.set",
+         R"("dataset":"lamb-oseen","origin":[0,0.1,1e-7],"normal":[1e-300,0,0],"field":"vorticity_z")"},
+        {"a slice of a field that is not there", "slice.set",
+         R"("dataset":"lamb-oseen","origin":[0,0,0],"normal":[0,0,1],"field":"p\"")"},
+        {"a slice beside the data", "slice.set",
+         R"("dataset":"lamb-oseen","origin":[1e38,0,0],"normal":[1,0,0])"},
+        {"a slice without a direction", "slice.set",
+         R"("dataset":"lamb-oseen","origin":[0,0,0],"normal":[0,0,0])"},
+        {"a slice at 1e39", "slice.set",
+         R"("dataset":"lamb-oseen","origin":[1e39,0,0],"normal":[1,0,0])", true},
         {"a bookmark", "bookmark.set", R"("name":"here","view":{"camera":[1,2.5,-3e-7]})"},
         {"an empty view", "bookmark.set", R"("view":{})"},
         {"a deep view", "bookmark.set", R"("view":{"v":)" + deep + "}"},

@@ -172,6 +172,15 @@ inline protocol::SurfaceSetting surface_on(const std::string& rake,
     return setting;
 }
 
+inline protocol::SliceSetting slice_at(double x, std::optional<std::string> id = {}) {
+    protocol::SliceSetting setting;
+    setting.slice = std::move(id);
+    setting.dataset = "abc";
+    setting.origin = {x, 1, 1};
+    setting.normal = {1, 0.5, 0};
+    return setting;
+}
+
 inline protocol::BookmarkSetting bookmark_of(std::string view, std::optional<std::string> id = {}) {
     protocol::BookmarkSetting setting;
     setting.bookmark = std::move(id);

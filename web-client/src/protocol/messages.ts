@@ -11,11 +11,12 @@ import { participantChangeCheck } from './generated/presence.ts';
 import { type RakeRecord, rakeRecordCheck } from './generated/rake.ts';
 import { resultChecks } from './generated/results.ts';
 import { type Joined, patchCheck, sessionNameCheck, type Snapshot } from './generated/session.ts';
+import { type SliceRecord, sliceRecordCheck } from './generated/slice.ts';
 import { type SurfaceRecord, surfaceRecordCheck } from './generated/surface.ts';
 import { type ClockRecord, clockRecordCheck } from './generated/time.ts';
 import { isObject } from './jsonRpc.ts';
 
-export type { AnnotationRecord, BookmarkRecord, ClockRecord, RakeRecord, SurfaceRecord };
+export type { AnnotationRecord, BookmarkRecord, ClockRecord, RakeRecord, SliceRecord, SurfaceRecord };
 export {
     type Dataset as DatasetDescription,
     type DatasetEntry,
@@ -106,6 +107,7 @@ export function isSurfaceRecord(value: unknown): value is SurfaceRecord {
 const recordChecks = {
     rake: rakeRecordCheck,
     surface: surfaceRecordCheck,
+    slice: sliceRecordCheck,
     bookmark: bookmarkRecordCheck,
     annotation: annotationRecordCheck,
     clock: clockRecordCheck,

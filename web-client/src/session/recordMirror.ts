@@ -12,11 +12,12 @@ export interface SurfaceChanges {
 }
 
 export function adoptSnapshot(state: AppState, snapshot: SessionSnapshot): void {
-    const { name, units, rakes, surfaces, bookmarks, annotations, clock } = snapshot;
+    const { name, units, rakes, surfaces, slices, bookmarks, annotations, clock } = snapshot;
     state.sessionName.value = name;
     state.typedUnits.value = units ?? noUnits;
     state.rakes.value = new Map(rakes.map((record) => [record.rake, record]));
     state.surfaces.value = new Map(surfaces.map((record) => [record.surface, record]));
+    state.slices.value = new Map(slices.map((record) => [record.slice, record]));
     state.bookmarks.value = new Map(bookmarks.map((record) => [record.bookmark, record]));
     state.annotations.value = new Map(annotations.map((record) => [record.annotation, record]));
     state.requestedEpochs.value = new Map(surfaces.map((s) => [s.surface, s.epoch]));
@@ -29,6 +30,7 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
     const records = {
         rake: new Map(state.rakes.value),
         surface: new Map(state.surfaces.value),
+        slice: new Map(state.slices.value),
         bookmark: new Map(state.bookmarks.value),
         annotation: new Map(state.annotations.value),
     };
@@ -45,12 +47,14 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
             records.surface.set(patch.id, patch.record);
             changes.requested.push({ surface: patch.id, epoch: patch.record.epoch });
         } else if (patch.type === 'rake') records.rake.set(patch.id, patch.record);
+        else if (patch.type === 'slice') records.slice.set(patch.id, patch.record);
         else if (patch.type === 'bookmark') records.bookmark.set(patch.id, patch.record);
         else records.annotation.set(patch.id, patch.record);
     }
     const touched = new Set(patches.map(({ type }) => type));
     if (touched.has('rake')) state.rakes.value = records.rake;
     if (touched.has('surface')) state.surfaces.value = records.surface;
+    if (touched.has('slice')) state.slices.value = records.slice;
     if (touched.has('bookmark')) state.bookmarks.value = records.bookmark;
     if (touched.has('annotation')) state.annotations.value = records.annotation;
     return changes;

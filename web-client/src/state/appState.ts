@@ -13,6 +13,7 @@ import type {
     Participant,
     RakeKind,
     RakeRecord,
+    SliceRecord,
     ResultOf,
     Role,
     StepHeld,
@@ -88,6 +89,7 @@ export class AppState {
     readonly dataset = signal<DatasetDescription | null>(null);
     readonly rakes = signal<ReadonlyMap<string, RakeRecord>>(new Map());
     readonly surfaces = signal<ReadonlyMap<string, SurfaceRecord>>(new Map());
+    readonly slices = signal<ReadonlyMap<string, SliceRecord>>(new Map());
     readonly bookmarks = signal<ReadonlyMap<string, BookmarkRecord>>(new Map());
     readonly annotations = signal<ReadonlyMap<string, AnnotationRecord>>(new Map());
     /** Every user in the session, this page too. */

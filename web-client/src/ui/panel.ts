@@ -1,7 +1,7 @@
 // The panel at the side: what is shown and how it may be changed, a tab for each subject; below, always in
 // sight, how far the server has come.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { signal } from '@preact/signals-core';
+import { type ReadonlySignal, signal } from '@preact/signals-core';
 import { bookmarkSteps, noteSteps, probeSteps, rakeSteps, surfaceSteps } from '../session/out/panelSteps.ts';
 import type { AppState } from '../state/appState.ts';
 import type { ViewState } from '../state/viewState.ts';
@@ -14,7 +14,6 @@ import './help/helpDialog.ts';
 import type { HelpModel } from './help/helpDialog.ts';
 import type { OwnCopy } from '../session/sessions/ownCopy.ts';
 import './base/locked.ts';
-import './share/linksPanel.ts';
 import type { LinksModel } from './share/linksPanel.ts';
 import './share/notesPanel.ts';
 import type { NotesModel } from './share/notesPanel.ts';
@@ -35,6 +34,7 @@ import './sessions/sessionHead.ts';
 import type { SessionHeadModel } from './sessions/sessionHead.ts';
 import './surface/surfacePanel.ts';
 import type { SurfaceModel } from './surface/surfacePanel.ts';
+import type { SlicesModel } from './slices/slicesPanel.ts';
 import './view/surroundingsPanel.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
 import './out/pictureExport.ts';
@@ -43,6 +43,9 @@ import './out/meshExport.ts';
 import type { MeshExportModel } from './out/meshExport.ts';
 import type { AnimationExportModel } from './out/animationExport.ts';
 import { isolated } from '../state/announcements.ts';
+
+// Nobody needs it before the first picture.
+void import('./share/linksPanel.ts');
 
 export interface ExportModel {
     picture: PictureExportModel;
@@ -87,6 +90,8 @@ export interface PanelModel {
     rakeList: RakeListModel;
     surface: SurfaceModel;
     rake: RakeModel;
+    /** Null: not loaded yet. */
+    slices: ReadonlySignal<SlicesModel | null>;
     look: LookModel;
     bookmarks: BookmarksModel;
     probe: ProbeModel;
@@ -117,6 +122,10 @@ const tabs: readonly Tab[] = [
                 <h2 id="surface-head">Surface</h2>
                 <wakesurf-surface .model=${model.surface}></wakesurf-surface>
                 <wakesurf-copy-as .model=${model} .calls=${() => surfaceSteps(model.state)}></wakesurf-copy-as>
+            </section>
+            <section aria-labelledby="slices-head">
+                <h2 id="slices-head">Slices</h2>
+                ${model.slices.value === null ? nothing : html`<wakesurf-slices .model=${model.slices.value}></wakesurf-slices>`}
             </section>
             <section aria-labelledby="rake-head">
                 <details open>

@@ -108,6 +108,7 @@ export class UndoHistory {
     }
 
     private nameOf(type: string, id: string): string {
+        if (type === 'slice') return 'a slice';
         if (type === 'annotation') return 'a note';
         if (type === 'bookmark') return 'a view';
         const { rakes, surfaces } = this.state;

@@ -1,6 +1,6 @@
 // A film of a playback: for every frame the time is set, the surfaces of that time are waited for, and the
 // picture is drawn. It takes as long as it takes; no frame is left out. Afterwards the time is what it was.
-import { effect, signal } from '@preact/signals-core';
+import { effect, type ReadonlySignal, signal } from '@preact/signals-core';
 import type { ClockRecord, SurfaceRecord } from '../../protocol/messages.ts';
 import type { BodyFields } from '../picture/bodyFields.ts';
 import { timeText, withUnit } from '../picture/writtenNumbers.ts';
@@ -47,6 +47,7 @@ export interface FilmOptions {
     edits: Pick<Edits, 'intent' | 'gestures'>;
     playback: Playback;
     bodyFields: Pick<BodyFields, 'status'>;
+    slices: { waiting: ReadonlySignal<boolean> };
     figure: Figure;
 }
 
@@ -147,7 +148,7 @@ export class FilmMaker {
     }
 
     private async show(time: number): Promise<void> {
-        const { playback, worker, state, bodyFields } = this.options;
+        const { playback, worker, state, bodyFields, slices } = this.options;
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
         else playback.release(time, this.options.edits.gestures.current);
@@ -158,7 +159,7 @@ export class FilmMaker {
         try {
             await this.until(() => {
                 const surfaces = moving ? this.surfacesAt(time) : ['final', 'empty', 'hidden'].includes(state.phase.value);
-                return bodyFields.status.value !== 'waiting' && surfaces;
+                return bodyFields.status.value !== 'waiting' && !slices.waiting.value && surfaces;
             });
         } finally {
             clearInterval(retry);

@@ -8,6 +8,7 @@ import { unfinished } from './scriptedPicture.ts';
 describe('a picture for a program', () => {
     let state: AppState;
     let look: SurfaceLook;
+    const waiting = signal(false);
     const status = signal<'off' | 'waiting' | 'shown'>('off');
 
     beforeEach(() => {
@@ -21,7 +22,7 @@ describe('a picture for a program', () => {
     const drawn = (change: Partial<DisplayedSurface>): void => {
         state.displayed.value = new Map([['s1', displayedOf('s1', { time: 4, ...change })]]);
     };
-    const why = (time: number | null = null): string => unfinished(state, { lookOf: () => look }, { status }, time);
+    const why = (time: number | null = null): string => unfinished(state, { lookOf: () => look }, { status }, { waiting }, time);
 
     it('is whole when the newest surface is drawn at its finest, at the time that is asked for', () => {
         expect(why()).toBe('');
@@ -38,6 +39,13 @@ describe('a picture for a program', () => {
         status.value = 'waiting';
         expect(why()).toBe('the values along the body are not there');
         status.value = 'shown';
+        expect(why()).toBe('');
+    });
+
+    it('is not whole while a slice is on its way', () => {
+        waiting.value = true;
+        expect(why()).toBe('a slice is not there');
+        waiting.value = false;
         expect(why()).toBe('');
     });
 

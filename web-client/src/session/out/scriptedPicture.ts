@@ -1,5 +1,6 @@
 // `window.wakesurf`: pictures for a program that drives this page, as the client for Python does. It says
 // whether all that the session shows is on the screen, and draws a PNG.
+import type { ReadonlySignal } from '@preact/signals-core';
 import type { FigureBackground } from '../../scene/capture.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -25,6 +26,7 @@ export function unfinished(
     state: AppState,
     view: Pick<ViewState, 'lookOf'>,
     bodyFields: Pick<BodyFields, 'status'>,
+    slices: { waiting: ReadonlySignal<boolean> },
     time: number | null,
 ): string {
     const stage = state.stage.value;
@@ -37,6 +39,7 @@ export function unfinished(
         const why = unfinishedSurface(state, view, record, time);
         if (why !== '') return why;
     }
+    if (slices.waiting.value) return 'a slice is not there';
     return bodyFields.status.value === 'waiting' ? 'the values along the body are not there' : '';
 }
 
@@ -45,6 +48,7 @@ export interface PageParts {
     view: Pick<ViewState, 'lookOf'>;
     scene: FlowScene;
     bodyFields: Pick<BodyFields, 'status'>;
+    slices: { waiting: ReadonlySignal<boolean> };
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
     figure: Figure;
@@ -61,10 +65,10 @@ export interface ScriptedPage {
 }
 
 export function scriptedPage(parts: PageParts): ScriptedPage {
-    const { state, view, bodyFields, figure } = parts;
+    const { state, view, bodyFields, slices, figure } = parts;
     return {
         parts,
-        unfinished: (time) => unfinished(state, view, bodyFields, time),
+        unfinished: (time) => unfinished(state, view, bodyFields, slices, time),
         picture: async ({ width, height, background, caption, bar, axes, rake }) => {
             figure.bar.value = bar;
             figure.axes.value = axes;

@@ -8,13 +8,14 @@ import type { BodySpan } from '../../session/picture/bodyFields.ts';
 import { ShownPanel } from '../../testing/shownPanel.ts';
 import './scalarBar.ts';
 
-async function barOf(drawn: Partial<SurfaceSpan>, body: BodySpan | null = null): Promise<ShownPanel> {
+async function barOf(drawn: Partial<SurfaceSpan>, body: BodySpan | null = null, slices: unknown = null): Promise<ShownPanel> {
     const span = { colours: [0, 2], t: [0, 1], s: [0, 1], age: [0, 1], style: plainStyle, lacks: '', ...drawn };
     const bench = new PageBench();
     return ShownPanel.of('wakesurf-scalar-bar', {
         ...bench,
         scene: { surfaces: { spanOf: () => span } },
         bodyFields: { span: signal(body) },
+        slices: signal(slices),
     });
 }
 
@@ -39,4 +40,11 @@ it('the scalar bar has colours of the body below those of surfaces', async () =>
     expect(bar.all('figure')).toHaveLength(2);
     const [, ofBody] = bar.all('figure');
     expect(ofBody?.getAttribute('aria-label')).toBe('Colours: p from −3 to 1, of the body, the last 1 %: to 7');
+});
+
+it('the scalar bar says what the colours of a slice mean', async () => {
+    const meanings = signal(new Map([['c1', { field: 'vorticity_z', map: 'coolToWarm', range: [-3, 3], contours: 0 }]]));
+    const bar = await barOf({ style: { ...plainStyle, source: 'constant' } }, null, { slices: { meanings } });
+    expect(bar.all('figure')).toHaveLength(1);
+    expect(bar.get('figure').getAttribute('aria-label')).toContain('Vorticity z from −3 to 3');
 });

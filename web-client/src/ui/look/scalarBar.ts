@@ -1,5 +1,6 @@
 // Shows what colours mean: a bar for each field that is seen, with the colour table and numbers, as text that
 // can be read aloud.
+import type { ReadonlySignal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, colourTicks, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
 import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
@@ -8,6 +9,7 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { BodyFields } from '../../session/picture/bodyFields.ts';
+import type { Slices } from '../../session/picture/slicesInPicture.ts';
 import { intervalError } from '../../session/picture/surfaceStyleOf.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import { colourTitle } from './colourNames.ts';
@@ -18,6 +20,8 @@ export interface ScalarBarModel {
     view: ViewState;
     scene: Pick<FlowScene, 'surfaces'>;
     bodyFields: Pick<BodyFields, 'span'>;
+    /** Null: not loaded yet. */
+    slices: ReadonlySignal<{ slices: Pick<Slices, 'meanings'> } | null>;
 }
 
 const rangeWords = {
@@ -151,17 +155,33 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             if (held === undefined) bars.set(key, { title, colours, map, inverted, logarithmic, beyond, rangeOf, of: [of] });
             else if (!held.of.includes(of)) held.of.push(of);
         }
-        return [...bars.values(), ...this.bodyBar()];
+        return [...bars.values(), ...this.bodyBar(), ...this.barsOfSlices()];
+    }
+
+    private barsOfSlices(): Bar[] {
+        const meanings = this.model.slices.value?.slices.meanings.value.values() ?? [];
+        // Slices of one field have the same colours.
+        const fields = new Map([...meanings].map((each) => [each.field, each]));
+        return [...fields.values()].map(({ field, map, range }) => ({
+            ...{ title: this.titleOf(field), colours: range, map, inverted: false, logarithmic: false },
+            ...{ beyond: [null, null], rangeOf: null, of: ['slice'] },
+        }));
+    }
+
+    /** @param field  as the server knows it */
+    private titleOf(field: string): string {
+        const { state, view } = this.model;
+        const dataset = state.dataset.value;
+        const scalar = field === dataset?.velocity ? 'speed' : field;
+        return colourTitle({ source: 'scalar', scalar }, dataset, undefined, view.units.value);
     }
 
     private bodyBar(): Bar[] {
-        const { state, view, bodyFields } = this.model;
-        const span = bodyFields.span.value;
+        const span = this.model.bodyFields.span.value;
         if (span === null) return [];
-        const { map, invert: inverted, range } = view.body.value;
+        const { map, invert: inverted, range } = this.model.view.body.value;
         const { field, colours, beyond } = span;
-        const scalar = field === state.dataset.value?.velocity ? 'speed' : field;
-        const title = colourTitle({ source: 'scalar', scalar }, state.dataset.value, undefined, view.units.value);
+        const title = this.titleOf(field);
         return [
             {
                 title,

@@ -19,8 +19,7 @@ import { countWords, phaseWords } from '../base/words.ts';
 import { downloadMesh } from '../out/meshExport.ts';
 
 // Nobody needs these before the first picture.
-void import('./numbersPanel.ts');
-void import('../surface/qualityPanel.ts');
+void import('./openedPanels.ts');
 
 export interface StatusModel {
     state: AppState;

@@ -112,7 +112,7 @@ export class LevelRows {
     };
 }
 
-function fieldWords(name: string, { velocity }: DatasetDescription): string {
+export function fieldWords(name: string, { velocity }: DatasetDescription): string {
     if (name === velocity) return `${isolated(name)} (speed)`;
     if (name === 'q_criterion') return 'Vortices (Q)';
     return name === 'vorticity' ? 'Vorticity (magnitude)' : name;

@@ -30,8 +30,7 @@ import { ModelElement } from '../base/signalElement.ts';
 import { unitOfDuration } from '../look/colourNames.ts';
 
 // Nobody needs these before the first picture.
-void import('./meshRules.ts');
-void import('./twinPanel.ts');
+void import('./openedRows.ts');
 
 /** Separation as a multiple of the finest spacing of the dataset's grid. */
 const separations = [

@@ -1,0 +1,179 @@
+#include "server/net/slice_downloads.hpp"
+
+#include "core/surface/measures/region.hpp"
+#include "core/surface/slice/slice_raster.hpp"
+#include "protocol/wire/slice_file.hpp"
+#include "server/base/limits.hpp"
+#include "server/data/node_fields.hpp"
+#include "server/data/open_dataset.hpp"
+#include "server/data/region_text.hpp"
+#include "server/net/download_request.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <stop_token>
+#include <utility>
+#include <variant>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+/// Up to so many samples of the velocity a raster is a quick job, of some 10 ms; those of other fields cost up to ten times as much.
+constexpr std::size_t quick_samples = 120'000;
+
+core::Result<std::size_t> read_samples(const std::string& text) {
+    std::size_t samples = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, samples);
+    if (read.ec != std::errc{} || read.ptr != end || samples < 1 || samples > limits::slice_samples)
+        return fail(
+            Error::Code::InvalidArgument,
+            fmt::format("`samples` is not a whole number from 1 to {}", limits::slice_samples),
+            "?samples=640 takes 640 along the longer side");
+    return samples;
+}
+
+core::Result<core::Plane> read_plane(const std::string& text) {
+    return parse_region("plane:" + text, "`plane`")
+        .map([](const core::Region& region) { return std::get<core::Plane>(region); })
+        .map_error([](Error error) {
+            error.hint = "write ?plane=0,0,0:1,0,0, a point and the normal";
+            return error;
+        });
+}
+
+core::Result<double> read_slice_time(const std::string& text) {
+    const auto time = finite_number(text);
+    return time ? core::Result<double>(*time)
+                : fail(Error::Code::InvalidArgument, "`time` is not a finite number",
+                       "as in ?time=2.5");
+}
+
+/// Holds the input of a file.
+struct SliceWork {
+    core::SliceRequest request;
+    std::shared_ptr<const LoadedDataset> dataset; ///< keeps what the field needs
+    const core::MemoryAccount* account;
+
+    core::Result<std::string> make(const std::stop_token& stop,
+                                   core::MemoryAccount::Share& share) const {
+        const auto window = core::plane_window(request.plane, dataset->flow->domain());
+        if (!window)
+            return tl::unexpected(window.error());
+        const auto [columns, rows] = core::raster_size(*window, request.samples);
+        const std::size_t bytes =
+            core::slice_memory(columns, rows) + protocol::slice_file_bytes(columns, rows);
+        if (!share.grow_to(bytes))
+            return tl::unexpected(account->refusal("this slice", bytes));
+        return core::sample_slice(request, *dataset->flow, stop)
+            .map([&](const core::SliceRaster& raster) {
+                return protocol::slice_file(raster, request.time);
+            });
+    }
+
+    PriorityClass priority() const {
+        const bool velocity = std::holds_alternative<core::SpeedField>(request.field) ||
+                              std::holds_alternative<core::VelocityAlong>(request.field);
+        const std::size_t cost = velocity ? 1 : 3;
+        return request.samples * request.samples * cost <= quick_samples ? PriorityClass::Quick
+                                                                         : PriorityClass::Long;
+    }
+};
+
+/// Returns the time to sample at. Error: InvalidArgument where the flow has several and none is given.
+core::Result<double> time_of(const SliceQuery& query, const LoadedDataset& dataset) {
+    const bool stands = dataset.info.steady || dataset.info.times.size() < 2;
+    if (stands)
+        return dataset.info.times.empty() ? query.time.value_or(0.0) : dataset.info.times.front();
+    if (!query.time)
+        return fail(Error::Code::InvalidArgument, "`time` is missing",
+                    "the data change with time: add ?time=2.5");
+    return *query.time;
+}
+
+} // namespace
+
+core::Result<SliceQuery> read_slice_query(const std::map<std::string, std::string>& query) {
+    SliceQuery out;
+    for (const auto& [name, value] : query) {
+        core::Result<void> read;
+        if (name == "plane")
+            read = read_plane(value).map([&](const core::Plane& plane) { out.plane = plane; });
+        else if (name == "samples")
+            read = read_samples(value).map([&](std::size_t samples) { out.samples = samples; });
+        else if (name == "time")
+            read = read_slice_time(value).map([&](double time) { out.time = time; });
+        else if (name == "field")
+            out.field = value;
+        else
+            read = fail(Error::Code::InvalidArgument,
+                        "a slice has no parameter `" + name.substr(0, 64) + "`",
+                        "the parameters are ?plane=0,0,0:1,0,0, ?field=p, ?time=2.5 and "
+                        "?samples=640");
+        if (!read)
+            return tl::unexpected(read.error());
+    }
+    if (!query.contains("plane"))
+        return fail(Error::Code::InvalidArgument, "`plane` is missing",
+                    "write ?plane=0,0,0:1,0,0, a point and the normal");
+    return out;
+}
+
+core::Result<void> SliceDownloads::offer(const HttpRequest& request,
+                                         const std::string& line,
+                                         const std::string& id,
+                                         const Respond& respond) {
+    const auto query = url_query(request.query).and_then(read_slice_query);
+    if (!query)
+        return tl::unexpected(query.error());
+    const auto dataset = catalogue_.find(id);
+    if (!dataset)
+        return tl::unexpected(dataset.error());
+    const LoadedDataset& data = **dataset;
+    const auto time = time_of(*query, data);
+    if (!time)
+        return tl::unexpected(time.error());
+    const auto field = find_node_field(query->field.empty() ? data.info.velocity : query->field,
+                                       data.info, data.scalars.get());
+    if (!field)
+        return tl::unexpected(field.error());
+    const SliceWork work{{query->plane, sampled(*field, data.scalars.get()), *time, query->samples},
+                         *dataset,
+                         &account_};
+    const core::Plane& plane = query->plane;
+    const std::string tag = fmt::format(
+        "slice {} {} {} {},{},{} {},{},{} {} {} {}", id, values_of(data),
+        data.scalars ? data.scalars->mark() : "", plane.point.x, plane.point.y, plane.point.z,
+        plane.normal.x, plane.normal.y, plane.normal.z, field->name, *time, query->samples);
+    files_.get(
+        tag, line,
+        [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {
+            return work.make(stop, share);
+        },
+        request.gone,
+        [respond](const core::Result<File>& file) {
+            if (!file)
+                return respond(http_error(file.error()));
+            respond({200,
+                     {{"Content-Type", "application/octet-stream"}, {"Cache-Control", "no-cache"}},
+                     *file});
+        },
+        work.priority());
+    return {};
+}
+
+void SliceDownloads::get(const HttpRequest& request,
+                         const std::string& line,
+                         const std::string& dataset,
+                         const Respond& respond) {
+    if (const auto offered = offer(request, line, dataset, respond); !offered)
+        respond(http_error(offered.error()));
+}
+
+} // namespace wakesurf::server

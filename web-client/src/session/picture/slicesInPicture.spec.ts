@@ -1,0 +1,67 @@
+import { describe, expect, it } from 'vitest';
+import type { SliceRecord } from '../../protocol/messages.ts';
+import { PageBench } from '../../testing/pageBench.ts';
+import { rested } from '../../testing/shownPanel.ts';
+import { coloursOf, Slices } from './slicesInPicture.ts';
+
+const record: SliceRecord = { slice: 'c1', rev: 1, dataset: 'flow', origin: [0, 0, 1], normal: [0, 0, 1], field: 'U' };
+
+/** A page with a slice, whose values never come. */
+function slicesOf(page: PageBench) {
+    const asked: string[] = [];
+    const slices = new Slices({
+        ...{ state: page.state, worker: page.worker, edits: page.edits, time: () => 9 },
+        scene: { add: () => undefined, size: { width: 800, height: 600 }, loop: { request: () => undefined } },
+        server: {
+            fetch: (path) => {
+                asked.push(path);
+                return new Promise(() => undefined);
+            },
+        },
+    });
+    page.state.slices.value = new Map([['c1', record]]);
+    return { slices, asked };
+}
+
+describe('a slice', () => {
+    it('is asked for at the time of the picture', () => {
+        const { asked } = slicesOf(new PageBench());
+        expect(asked).toHaveLength(1);
+        expect(asked[0]).toContain('time=9');
+    });
+
+    it('is drawn where it is dragged before the server has answered, which is told the whole slice', async () => {
+        const page = new PageBench();
+        const { slices } = slicesOf(page);
+        slices.change('c1', { origin: [0, 0, 2] });
+        expect(slices.places.value.get('c1')?.origin).toEqual([0, 0, 2]);
+        await rested();
+        const set = page.calls.find(([method]) => method === 'slice.set');
+        const { gesture, ...params } = set![1];
+        expect(gesture).toBeTypeOf('string');
+        expect(params).toEqual({ slice: 'c1', dataset: 'flow', origin: [0, 0, 2], normal: [0, 0, 1], field: 'U' });
+    });
+
+    it('is as the server has it again where an edit is refused', async () => {
+        const page = new PageBench();
+        const { slices } = slicesOf(page);
+        page.answers['slice.set'] = () => {
+            throw new Error('the plane misses the domain by 4');
+        };
+        slices.change('c1', { origin: [0, 0, 99] });
+        await rested();
+        expect(slices.places.value.get('c1')?.origin).toEqual([0, 0, 1]);
+        expect([...page.state.problems.all.value.values()].join()).toContain('misses the domain');
+    });
+});
+
+describe('the colours of a slice', () => {
+    it('are round numbers around what there is', () => {
+        expect(coloursOf(0.13, 1.97)).toEqual({ map: 'viridis', range: [0, 2] });
+    });
+
+    it('are the same on both sides of 0 where there are both signs, and only there', () => {
+        expect(coloursOf(-3, 1)).toEqual({ map: 'coolToWarm', range: [-3, 3] });
+        expect(coloursOf(-0.01, 1).map).toBe('viridis');
+    });
+});
