@@ -37,11 +37,12 @@ from .progress import Progress
 from .record import Rake
 from .serve import Server, serve
 from .session import Session
+from .slice import Slice
 from .surface import Surface, Update
 from .view import Camera, Look, SurfaceLook
 
 __all__ = ["BrowserMissing", "Camera", "Cancelled", "Client", "Connection", "DatasetError", "InvalidParameters", "InvalidPoints", "InvalidRequest", "Leased", "Look",
            "Mesh", "MethodNotFound", "MissingParameter", "NoSuchArray", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
-           "PictureFailed", "Progress", "Rake", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Stale",
+           "PictureFailed", "Progress", "Rake", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Slice", "Stale",
            "Surface", "SurfaceLook", "Unauthenticated", "UnknownParameter", "Unreachable", "Update", "WaitTimeout",
            "WakesurfError", "__version__", "notifications", "numbers", "records", "serve", "write_series"]

@@ -23,6 +23,7 @@ from .names import Helpful, named
 from .name_mapping import error_of
 from .plain import Json, Points, given, plain, slices
 from .session import Session
+from .slice import Slice
 
 if TYPE_CHECKING:
     from .serve import Server
@@ -194,6 +195,29 @@ class Client(Helpful):
             out[name] = found.reshape(-1, 3) if vector else found
         out["inside"] = np.array(answer["inside"], dtype=bool)
         return out
+
+    def slice(self, dataset: str, point: Sequence[float], normal: Sequence[float], *, field: Optional[str] = None,
+              time: Optional[float] = None, samples: int = 256) -> Slice:
+        """Returns a field on the part of a plane that is in the dataset's bounds: `samples` (1 to 2048) along the longer side.
+        `field`: a stored scalar, or what surfaces can carry of the velocity, "vorticity", "q_criterion", "velocity_x" and so on;
+        left out, the speed. `time`: left out of a flow that stands still. Error: NotFound, InvalidParameters, OutsideTimeRange,
+        OutsideDomain where the plane misses the bounds.
+
+        >>> found = client.slice("tornado", (0.5, 0.5, 0.5), (0, 0, 1), field="vorticity", time=0, samples=64)
+        >>> found.values.shape, found.points.shape
+        ((64, 64), (64, 64, 3))
+        """
+        vectors = [",".join(repr(float(each)) for each in plain(list(vector), name))
+                   for vector, name in ((point, "point"), (normal, "normal"))]
+        field = field or self._velocity(dataset)
+        query = {"plane": ":".join(vectors), "field": field, "samples": str(int(plain(samples, "samples")))}
+        if time is not None:
+            query["time"] = repr(float(plain(time, "time")))
+        path = f"/api/v1/datasets/{urllib.parse.quote(dataset, safe='')}/slice.bin?{urllib.parse.urlencode(query)}"
+        status, _, body = self._request(path)
+        if status != 200:
+            raise error_of(json.loads(body)["error"])
+        return Slice.from_bytes(body, field)
 
     def _velocity(self, dataset: str) -> str:
         """Tells vectors by the dataset: the values of a part that lies outside as a whole do not show it."""
