@@ -6,7 +6,8 @@ export interface BodyLook {
     texture: boolean;
     /** As of a surface; 'constant': grey. */
     colourBy: string;
-    map: ColourMap;
+    /** Null: as the values ask for. */
+    map: ColourMap | null;
     invert: boolean;
     /** Locked; null: from the least to the greatest on the body. */
     range: readonly [number, number] | null;
@@ -17,7 +18,7 @@ export interface BodyLook {
 export const plainBody: BodyLook = {
     texture: false,
     colourBy: 'constant',
-    map: 'viridis',
+    map: null,
     invert: false,
     range: null,
     contours: false,
@@ -26,7 +27,7 @@ export const plainBody: BodyLook = {
 const checks: Record<keyof BodyLook, (value: unknown) => boolean> = {
     texture: isFlag,
     colourBy: isName,
-    map: isOneOf(colourMaps),
+    map: (value) => value === null || isOneOf(colourMaps)(value),
     invert: isFlag,
     range: isSpan,
     contours: isFlag,

@@ -112,7 +112,7 @@ describe('the values along the body', () => {
         view.body.value = { ...plainBody, colourBy: 'field:p', contours: true };
         expect([asked, fields]).toEqual([[1], ['p']]);
         await answer();
-        expect(bodyFields.span.value).toEqual({ field: 'p', colours: [1, 3], beyond: [null, null] });
+        expect(bodyFields.span.value).toEqual({ field: 'p', map: 'viridis', colours: [1, 3], beyond: [null, null] });
         expect(coloured.at(-1)).toEqual({ map: 'viridis', inverted: false, range: [1, 3], contourStep: 0.2 });
         view.body.value = { ...view.body.value, range: [0, 2], invert: true, contours: false };
         expect(coloured.at(-1)).toEqual({ map: 'viridis', inverted: true, range: [0, 2], contourStep: 0 });

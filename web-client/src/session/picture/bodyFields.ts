@@ -4,11 +4,12 @@ import { computed, effect, signal } from '@preact/signals-core';
 import type { BodyValues } from '../../mesh/meshChange.ts';
 import { niceStep } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
-import { drawnRange, steadyRange } from '../../scene/surface/colourMap.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { ColourMap } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { attributeOf, isSigned } from './surfaceStyleOf.ts';
+import { attributeOf } from './surfaceStyleOf.ts';
+import { coloursOf } from './usualColours.ts';
 
 export interface BodyFieldsOptions {
     state: Pick<AppState, 'dataset' | 'datasetEntry' | 'notices' | 'stage' | 'times'>;
@@ -44,6 +45,7 @@ export interface BodyExtent {
 export interface BodySpan {
     /** As the server knows it. */
     field: string;
+    map: ColourMap;
     /** What both ends of the colours stand for. */
     colours: readonly [number, number];
     /** The least and the greatest value, where they lie beyond colours that nobody has chosen. */
@@ -62,11 +64,12 @@ export class BodyFields {
     readonly span = computed((): BodySpan | null => {
         const [field, extent] = [this.field.value, this.extent.value];
         if (field === '' || extent === null || extent.field !== field) return null;
-        const { colourBy, range } = this.options.view.body.value;
-        const colours = range ?? drawnRange(usualRange(extent), false, isSigned(colourBy) ? 0 : null);
+        const { map, range } = this.options.view.body.value;
+        const usual = coloursOf(...mostOf(extent));
+        const colours = range ?? usual.range;
         const [low, high] = colours;
         return {
-            ...{ field, colours },
+            ...{ field, colours, map: map ?? usual.map },
             beyond: [
                 range === null && extent.least < low ? extent.least : null,
                 range === null && extent.greatest > high ? extent.greatest : null,
@@ -95,11 +98,11 @@ export class BodyFields {
         });
         effect(() => {
             const span = this.span.value;
-            const { map, invert, contours } = view.body.value;
+            const { invert, contours } = view.body.value;
             if (span === null) return;
             const [low, high] = span.colours;
             const contourStep = contours ? niceStep((high - low) / contourLines) : 0;
-            scene.setBodyColours({ map, inverted: invert, range: span.colours, contourStep });
+            scene.setBodyColours({ map: span.map, inverted: invert, range: span.colours, contourStep });
         });
     }
 
@@ -179,6 +182,6 @@ export function extentOf(values: Float32Array): BodyExtent | null {
 
 /** All values; without the last hundredth at each end where those take more than half of the range: at edges of bodies a few are far
  *  larger than all others. */
-function usualRange({ least, greatest, most: [low, high] }: BodyExtent): [number, number] {
-    return greatest - least > 2 * (high - low) && high > low ? steadyRange(low, high) : steadyRange(least, greatest);
+function mostOf({ least, greatest, most: [low, high] }: BodyExtent): readonly [number, number] {
+    return greatest - least > 2 * (high - low) && high > low ? [low, high] : [least, greatest];
 }

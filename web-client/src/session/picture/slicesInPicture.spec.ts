@@ -2,7 +2,8 @@ import { describe, expect, it } from 'vitest';
 import type { SliceRecord } from '../../protocol/messages.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { rested } from '../../testing/shownPanel.ts';
-import { coloursOf, Slices } from './slicesInPicture.ts';
+import { Slices } from './slicesInPicture.ts';
+import { coloursOf } from './usualColours.ts';
 
 const record: SliceRecord = { slice: 'c1', rev: 1, dataset: 'flow', origin: [0, 0, 1], normal: [0, 0, 1], field: 'U' };
 

@@ -3,9 +3,9 @@
 import { computed, effect, signal, untracked } from '@preact/signals-core';
 import type { SliceRecord, Vec3 } from '../../protocol/messages.ts';
 import { type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
+import { coloursOf } from './usualColours.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import { SliceLayer, type SliceColours } from '../../scene/slices/sliceLayer.ts';
-import { steadyRange } from '../../scene/surface/colourMap.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -30,9 +30,6 @@ export type SlicePlace = Pick<SliceRecord, 'origin' | 'normal' | 'field'>;
 export interface SliceMeaning extends SliceColours {
     field: string;
 }
-
-/** Of both signs where the smaller one is at least such a part of the larger. */
-const bothSigns = 0.05;
 
 export class Slices {
     /** As they are drawn: as records say, or as this page edits them. */
@@ -256,13 +253,4 @@ function meets(bounds: readonly number[], origin: Vec3, normal: Vec3): boolean {
 /** Without what the server alone writes. */
 function placeOf({ origin, normal, field }: SliceRecord): SlicePlace {
     return { origin, normal, field };
-}
-
-/** The same about 0 where there are both signs, so that 0 is seen. */
-export function coloursOf(low: number, high: number): Pick<SliceColours, 'map'> & { range: [number, number] } {
-    if (low < 0 && high > 0 && Math.min(-low, high) > bothSigns * Math.max(-low, high)) {
-        const [, end] = steadyRange(0, Math.max(-low, high));
-        return { map: 'coolToWarm', range: [-end, end] };
-    }
-    return { map: 'viridis', range: steadyRange(low, high) };
 }

@@ -1,7 +1,7 @@
 // Shows how the body looks: the field that colours it, lines of equal values, the flow along it.
 import { html, nothing, type TemplateResult } from 'lit';
 import type { BodyFields } from '../../session/picture/bodyFields.ts';
-import { canCome, colourByField, colourFields, isSigned, qCriterion, vorticity } from '../../session/picture/surfaceStyleOf.ts';
+import { canCome, colourByField, colourFields, qCriterion, vorticity } from '../../session/picture/surfaceStyleOf.ts';
 import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { type BodyLook } from '../../state/bodyLook.ts';
@@ -54,7 +54,7 @@ export class BodyPanel extends ModelElement<BodyModel> {
         const maps = colourMaps.map((map) => ({ value: map, words: mapNames[map] }));
         const locked = body.range !== null;
         return html`
-            ${selectRow('body-map', 'Colours', maps, body.map, (map) => this.change({ map }))}
+            ${selectRow('body-map', 'Colours', maps, this.model.bodyFields.span.value?.map ?? 'viridis', (map) => this.change({ map }))}
             ${pairRow('body-range', 'Range', range, (pair) => this.change({ range: pair }))}
             ${checkRow(locked ? 'Range locked at' : 'Lock the range', locked, (on) => this.change({ range: on ? range : null }), { id: 'body-lock' })}
             ${checkRow('Inverted', body.invert, (invert) => this.change({ invert }), { id: 'body-invert' })}
@@ -75,7 +75,7 @@ export class BodyPanel extends ModelElement<BodyModel> {
     }
 
     private colourBy(colourBy: string): void {
-        this.change({ colourBy, range: null, map: isSigned(colourBy) ? 'coolToWarm' : 'viridis' });
+        this.change({ colourBy, range: null, map: null });
     }
 
     private change(change: Partial<BodyLook>): void {

@@ -36,7 +36,7 @@ it('the scalar bar is not there where one colour was chosen, and has colours whe
 });
 
 it('the scalar bar has colours of the body below those of surfaces', async () => {
-    const bar = await barOf({}, { field: 'p', colours: [-3, 1], beyond: [null, 7] });
+    const bar = await barOf({}, { field: 'p', map: 'viridis', colours: [-3, 1], beyond: [null, 7] });
     expect(bar.all('figure')).toHaveLength(2);
     const [, ofBody] = bar.all('figure');
     expect(ofBody?.getAttribute('aria-label')).toBe('Colours: p from −3 to 1, of the body, the last 1 %: to 7');

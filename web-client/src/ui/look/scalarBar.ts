@@ -179,8 +179,8 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
     private bodyBar(): Bar[] {
         const span = this.model.bodyFields.span.value;
         if (span === null) return [];
-        const { map, invert: inverted, range } = this.model.view.body.value;
-        const { field, colours, beyond } = span;
+        const { invert: inverted, range } = this.model.view.body.value;
+        const { field, map, colours, beyond } = span;
         const title = this.titleOf(field);
         return [
             {
