@@ -52,8 +52,9 @@ Result<std::vector<Vec3>> places_off_wall(const QuadComplex& wall,
 /// Memory that add_wall_velocity takes beside the wall, a vertex.
 inline constexpr std::size_t wall_velocity_bytes = 120;
 
-/// Fills in the velocity of a wall's vertices at `time`: that at places_off_wall; zero without fluid near by, and without a value in the data. s and t
-/// are 0. Cost: a sample and a few lookups of a place a vertex. Error: as Flow::sample.
+/// Fills in the velocity of a wall's vertices at `time`: that at places_off_wall; zero without fluid near by,
+/// and without a value in the data. s and t are 0. Cost: a sample and a few lookups of a place a vertex.
+/// Error: as Flow::sample.
 Result<void>
 add_wall_velocity(QuadComplex& wall, const Flow& flow, double time, std::stop_token stop);
 

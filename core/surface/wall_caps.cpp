@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -14,7 +15,9 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr std::size_t most_points = 5000;
+constexpr std::size_t most_points = 2000;
+/// How often each point of a loop may be tried as an ear: some 3 times are usual.
+constexpr std::size_t most_tries = 50;
 /// How far from a side its points may be, in extents of the domain: walls are stored in 32 bits.
 constexpr double in_side = 1e-6;
 
@@ -30,38 +33,47 @@ double twice_area(const Point2& a, const Point2& b, const Point2& c) {
 
 /// Numbers points by their places: patches that meet have points of their own there.
 std::vector<std::uint32_t> places_of(const std::vector<Vec3f>& points) {
-    std::map<std::tuple<float, float, float>, std::uint32_t> first;
-    std::vector<std::uint32_t> places;
-    for (std::uint32_t i = 0; i < points.size(); ++i)
-        places.push_back(
-            first.try_emplace({points[i].x, points[i].y, points[i].z}, i).first->second);
+    const auto key =
+        [&](std::uint32_t i) { // of bits: what is no number has a place in the order as well
+            const auto bits = [](float value) {
+                return std::bit_cast<std::uint32_t>(value + 0.0F);
+            };
+            return std::tuple(bits(points[i].x), bits(points[i].y), bits(points[i].z), i);
+        };
+    std::vector<std::uint32_t> order(points.size()), places(points.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, key);
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        const bool same = k > 0 && points[order[k]] == points[order[k - 1]];
+        places[order[k]] = same ? places[order[k - 1]] : order[k];
+    }
     return places;
 }
 
-/// Returns the edges that one triangle has alone.
-std::vector<std::array<std::uint32_t, 2>> border_of(const WallGeometry& walls) {
+using Edge = std::array<std::uint32_t, 2>;
+
+/// Returns the edges that one triangle has alone, in order. It takes 24 bytes a triangle.
+std::vector<Edge> border_of(const WallGeometry& walls) {
     const std::vector<std::uint32_t> place = places_of(walls.points);
-    std::unordered_map<std::uint64_t, int> count;
-    const auto each_edge = [&](const auto& use) {
-        for (const auto& triangle : walls.triangles)
-            for (std::size_t i = 0; i < 3; ++i) {
-                const auto [a, b] = std::minmax(place[triangle[i]], place[triangle[(i + 1) % 3]]);
-                if (a != b)
-                    use(std::uint64_t{a} << 32 | b);
-            }
-    };
-    each_edge([&](std::uint64_t edge) { ++count[edge]; });
-    std::vector<std::array<std::uint32_t, 2>> border;
-    each_edge([&](std::uint64_t edge) { // in their order, not that of the table
-        if (count[edge] == 1)
-            border.push_back({static_cast<std::uint32_t>(edge >> 32),
-                              static_cast<std::uint32_t>(edge & 0xffffffffU)});
-    });
+    std::vector<Edge> edges;
+    edges.reserve(3 * walls.triangles.size());
+    for (const auto& triangle : walls.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto [a, b] = std::minmax(place[triangle[i]], place[triangle[(i + 1) % 3]]);
+            if (a != b)
+                edges.push_back({a, b});
+        }
+    std::ranges::sort(edges);
+    std::vector<Edge> border;
+    for (std::size_t k = 0; k < edges.size(); ++k)
+        if ((k == 0 || edges[k - 1] != edges[k]) &&
+            (k + 1 == edges.size() || edges[k + 1] != edges[k]))
+            border.push_back(edges[k]);
     return border;
 }
 
 /// Returns the closed loops without branches that edges make.
-std::vector<Loop> loops_of(const std::vector<std::array<std::uint32_t, 2>>& edges) {
+std::vector<Loop> loops_of(const std::vector<Edge>& edges) {
     std::map<std::uint32_t, std::vector<std::uint32_t>> beside;
     for (const auto& [a, b] : edges) {
         beside[a].push_back(b);
@@ -103,7 +115,7 @@ bool contains(const std::vector<Point2>& polygon, const Point2& p) {
     return inside;
 }
 
-/// Cuts ears off a simple polygon. Empty where none is left to cut, as it crosses itself.
+/// Cuts ears off a simple polygon. Empty where none is left to cut, as it crosses itself, or it takes too long.
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Point2>& polygon) {
     double area = 0.0;
     for (std::size_t i = 0; i < polygon.size(); ++i)
@@ -124,8 +136,9 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<Point2>
                    twice_area(polygon[c], polygon[a], polygon[p]) > 0.0;
         });
     };
+    std::size_t tries = 0;
     for (std::size_t k = 0, tried = 0; left.size() > 3; ++tried) {
-        if (tried == left.size())
+        if (tried == left.size() || ++tries > most_tries * polygon.size())
             return {};
         k %= left.size();
         if (!is_ear(k)) {
@@ -171,18 +184,15 @@ bool is_open(const Flow& flow,
     return false;
 }
 
-void close_side(WallGeometry& walls,
-                const Flow& flow,
-                const std::vector<std::array<std::uint32_t, 2>>& border,
-                int axis,
-                bool low) {
+void close_side(
+    WallGeometry& walls, const Flow& flow, const std::vector<Edge>& border, int axis, bool low) {
     const Box domain = flow.domain();
     const double side = low ? domain.lo[axis] : domain.hi[axis];
     const double near = in_side * glm::length(domain.extent());
     const auto in = [&](std::uint32_t point) {
         return std::abs(double{walls.points[point][axis]} - side) <= near;
     };
-    std::vector<std::array<std::uint32_t, 2>> edges;
+    std::vector<Edge> edges;
     for (const auto& edge : border)
         if (in(edge[0]) && in(edge[1]))
             edges.push_back(edge);
