@@ -107,13 +107,16 @@ describe('the values along the body', () => {
         expect(state.notices.all.value.size).toBe(0);
     });
 
-    it('colour it by the field that is chosen, over what there is of it on the body, unless a range is locked', async () => {
-        const { view, asked, fields, coloured, bodyFields, answer } = bench();
+    it('colour it by the field that is chosen, over what there has been of it on the body, unless a range is locked', async () => {
+        const { view, time, asked, fields, coloured, bodyFields, answer } = bench();
         view.body.value = { ...plainBody, colourBy: 'field:p', contours: true };
         expect([asked, fields]).toEqual([[1], ['p']]);
         await answer();
         expect(bodyFields.span.value).toEqual({ field: 'p', map: 'viridis', colours: [1, 3], beyond: [null, null] });
         expect(coloured.at(-1)).toEqual({ map: 'viridis', inverted: false, range: [1, 3], contourStep: 0.2 });
+        time.value = 0.5; // values from 0.5 to 1.5
+        await answer();
+        expect(bodyFields.span.value?.colours).toEqual([0.5, 3]);
         view.body.value = { ...view.body.value, range: [0, 2], invert: true, contours: false };
         expect(coloured.at(-1)).toEqual({ map: 'viridis', inverted: true, range: [0, 2], contourStep: 0 });
         view.body.value = plainBody;

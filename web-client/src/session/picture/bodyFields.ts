@@ -80,7 +80,7 @@ export class BodyFields {
     /** The key of the wish that was answered last. */
     private readonly answered = signal('');
     private readonly failed = signal(false);
-    private readonly extent = signal<(BodyExtent & { field: string }) | null>(null);
+    private readonly extent = signal<(BodyExtent & { dataset: string; field: string }) | null>(null);
     private asking = false;
 
     constructor(options: BodyFieldsOptions) {
@@ -151,7 +151,7 @@ export class BodyFields {
             // Switched off, or another dataset, meanwhile.
             if (this.wish.value === null || state.dataset.value?.dataset !== dataset) continue;
             if (failure === null) {
-                this.show(values, wish.field);
+                this.show(values, dataset, wish.field);
                 scene.setBodyValues(values, view.body.value.texture);
                 state.notices.solved(about);
             } else state.notices.tell(about, failure);
@@ -161,9 +161,11 @@ export class BodyFields {
         this.asking = false;
     }
 
-    private show(values: BodyValues | null, field: string): void {
+    private show(values: BodyValues | null, dataset: string, field: string): void {
         const extent = values?.field === null || values === null ? null : extentOf(values.field);
-        this.extent.value = extent === null ? null : { ...extent, field };
+        const before = this.extent.value;
+        const same = before?.field === field && before.dataset === dataset;
+        this.extent.value = extent === null ? null : { ...(same ? widened(before, extent) : extent), dataset, field };
     }
 
     private next(): Wish | null {
@@ -178,6 +180,15 @@ export function extentOf(values: Float32Array): BodyExtent | null {
     if (known.length === 0) return null;
     const at = (part: number): number => known[Math.round(part * (known.length - 1))]!;
     return { least: at(0), greatest: at(1), most: [at(0.01), at(0.99)] };
+}
+
+/** As those of slices, colours must not flicker while the time moves. */
+function widened(a: BodyExtent, b: BodyExtent): BodyExtent {
+    return {
+        least: Math.min(a.least, b.least),
+        greatest: Math.max(a.greatest, b.greatest),
+        most: [Math.min(a.most[0], b.most[0]), Math.max(a.most[1], b.most[1])],
+    };
 }
 
 /** All values; without the last hundredth at each end where those take more than half of the range: at edges of bodies a few are far
