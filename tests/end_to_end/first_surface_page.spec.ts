@@ -141,7 +141,7 @@ it('saves a picture and a mesh, offers a film, and copies a script', async () =>
     await tab('Export');
     for (const [button, name] of [
         ['Save PNG', /\.png$/],
-        ['Download', /\.(vtp|glb|ply|obj|drc)$/],
+        ['Download mesh', /\.(vtp|glb|ply|obj|drc)$/],
     ] as const) {
         const download = page.waitForEvent('download');
         await page.getByRole('button', { name: button }).click();

@@ -230,6 +230,8 @@ async function distancesSeen(): Promise<number[]> {
 
 /** How bright each of these pixels is in a figure as large as the picture. */
 async function brightness(box: '#silhouettes' | '#hatched', on: boolean): Promise<number[]> {
+    // What arrives meanwhile may move the box away from under the pointer: a press and a release in two places are no click.
+    await settled(page);
     await page.locator(box).setChecked(on);
     await settled(page);
     const { size, side } = await picture();

@@ -32,7 +32,7 @@ export class BodyPanel extends ModelElement<BodyModel> {
         if (dataset?.obstacle !== true) return html`<p class="quiet">There is no body in this dataset.</p>`;
         const span = bodyFields.span.value;
         return html`
-            ${selectRow('body-colour-by', 'Colour by', this.choices(), body.colourBy, (colourBy) => this.colourBy(colourBy))}
+            ${selectRow('body-colour-by', 'Colour the body by', this.choices(), body.colourBy, (colourBy) => this.colourBy(colourBy))}
             ${body.colourBy === 'constant' ? nothing : this.colours(body, span?.colours ?? [0, 1])}
             ${checkRow('Show the flow along the body', body.texture, (texture) => this.change({ texture }), { id: 'body-texture' })}
             ${this.said(body)}
