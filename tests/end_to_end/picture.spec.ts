@@ -82,6 +82,33 @@ describe('the picture', () => {
         });
         const grey = pixels.filter((pixel) => hueOf(pixel).chroma < 30 && Math.max(...pixel) > 60);
         expect(grey.length).toBe(pixels.length);
+    });
+
+    it('shows the body in the colours of a field, as bright as the field is large', async () => {
+        await page.getByRole('tab', { name: 'Look' }).click();
+        await page.locator('#body-group summary').click();
+        await page.getByLabel('Colour the body by').selectOption('speed');
+        await page.locator('#body-map').selectOption('grey');
+        await page.getByText('Values are those a quarter of a cell off').waitFor();
+        await page.locator('#body-invert').setChecked(false);
+        const pixelsOfFace = (): Promise<Rgb[]> =>
+            page.evaluate(async () => {
+                const hook = window.wakesurf!;
+                hook.setCamera([0, -30, 3], [0, 0, 3]);
+                for (let i = 0; i < 3; ++i) await new Promise(requestAnimationFrame);
+                const face = [-0.45, -0.3, 0, 0.3].flatMap((x) => [2, 3, 4].map((z) => ({ x, z })));
+                return hook.pixelsAt(face.map(({ x, z }) => hook.project([x, -0.5, z])!));
+            });
+        const light = (pixels: Rgb[]): number[] => pixels.map(([r, g, b]) => r + g + b);
+        const rising = light(await pixelsOfFace());
+        await page.locator('#body-invert').setChecked(true);
+        const falling = light(await pixelsOfFace());
+        // What is brighter than the middle of the colours is darker when they are turned round.
+        expect(Math.max(...rising) - Math.min(...rising)).toBeGreaterThan(60);
+        const brightest = rising.indexOf(Math.max(...rising));
+        const darkest = rising.indexOf(Math.min(...rising));
+        expect(falling[brightest]! - falling[darkest]!).toBeLessThan(0);
+        await page.getByLabel('Colour the body by').selectOption('constant');
         await page.getByRole('button', { name: 'Fit the whole domain' }).click();
     });
 

@@ -108,7 +108,9 @@ describe('the values along the body', () => {
     });
 
     it('colour it by the field that is chosen, over what there has been of it on the body, unless a range is locked', async () => {
-        const { view, time, asked, fields, coloured, bodyFields, answer } = bench();
+        const { view, time, asked, fields, coloured, bodyFields, answer } = bench({ surfaceFields: ['p'] });
+        view.body.value = { ...plainBody, colourBy: 'field:of other data' };
+        expect([asked, bodyFields.status.value]).toEqual([[], 'off']);
         view.body.value = { ...plainBody, colourBy: 'field:p', contours: true };
         expect([asked, fields]).toEqual([[1], ['p']]);
         await answer();

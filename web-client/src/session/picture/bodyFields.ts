@@ -8,7 +8,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { attributeOf } from './surfaceStyleOf.ts';
+import { attributeOf, canCome } from './surfaceStyleOf.ts';
 import { coloursOf } from './usualColours.ts';
 
 export interface BodyFieldsOptions {
@@ -106,9 +106,12 @@ export class BodyFields {
         });
     }
 
+    /** A look may have been made for other data: what these do not have is not asked for. */
     private readonly field = computed((): string => {
+        const dataset = this.options.state.dataset.value;
         const attribute = attributeOf(this.options.view.body.value.colourBy) ?? '';
-        return attribute === 'speed' ? (this.options.state.dataset.value?.velocity ?? '') : attribute;
+        if (attribute === 'speed') return dataset?.velocity ?? '';
+        return attribute !== '' && canCome(dataset, attribute) ? attribute : '';
     });
 
     private readonly wish = computed((): Wish | null => {

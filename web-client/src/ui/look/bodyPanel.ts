@@ -27,12 +27,16 @@ export class BodyPanel extends ModelElement<BodyModel> {
 
     override render(): TemplateResult {
         const { state, view, bodyFields } = this.model;
-        const body = view.body.value;
         const dataset = state.dataset.value;
+        const choices = this.choices();
+        const { colourBy } = view.body.value;
+        // A look may have been made for other data.
+        const isThere = choices.some(({ value }) => value === colourBy);
+        const body = { ...view.body.value, colourBy: isThere ? colourBy : 'constant' };
         if (dataset?.obstacle !== true) return html`<p class="quiet">There is no body in this dataset.</p>`;
         const span = bodyFields.span.value;
         return html`
-            ${selectRow('body-colour-by', 'Colour the body by', this.choices(), body.colourBy, (colourBy) => this.colourBy(colourBy))}
+            ${selectRow('body-colour-by', 'Colour the body by', choices, body.colourBy, (by) => this.colourBy(by))}
             ${body.colourBy === 'constant' ? nothing : this.colours(body, span?.colours ?? [0, 1])}
             ${checkRow('Show the flow along the body', body.texture, (texture) => this.change({ texture }), { id: 'body-texture' })}
             ${this.said(body)}
