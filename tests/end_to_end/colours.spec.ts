@@ -164,7 +164,7 @@ describe('several surfaces', () => {
 
 describe('a surface whose values someone else has taken away', () => {
     it('is drawn in one colour, whatever its mesh is replaced by, and the bar says of what there are none', async () => {
-        const mine = await openPage(context, await server.newSession());
+        const mine = await openPage(context, await server.streamSession());
         await finalSurface(mine);
         await colourBy('q_criterion', mine);
         await mine.waitForFunction(() => !window.wakesurf!.displayed!.withheld.includes('q_criterion'));

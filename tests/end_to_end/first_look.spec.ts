@@ -29,7 +29,7 @@ async function open(page: Page, dataset: string): Promise<void> {
 
 describe('the first picture', () => {
     it('is filled by the surface, in flows of which that is a small part too, which have no body to show the flow along', async () => {
-        const page = await rig.visit(size);
+        const page = await rig.visit({ ...size, link: await rig.server.newSession() });
         const largest = ({ width, height }: { width: number; height: number }): number => Math.max(width, height);
         expect(largest(await filled(page))).toBeGreaterThan(0.55);
         for (const dataset of ['tornado', 'double-gyre']) {

@@ -7,7 +7,7 @@ const rig = useTestRig();
 const size = { width: 780, height: 420 };
 describe('logging out', () => {
     it('ends all windows of this browser, and no one else’s', async () => {
-        const host = await openPage(await newContext(rig.browser, size), await rig.server.newSession());
+        const host = await openPage(await newContext(rig.browser, size), await rig.server.streamSession());
         const session = await entered(host);
         const context = await newContext(rig.browser, size);
         const page = await openPage(context, `${rig.server.link}&session=${session}`);

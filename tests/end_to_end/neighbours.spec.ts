@@ -58,7 +58,7 @@ async function opens(origin: string, headers: Record<string, string>): Promise<b
 
 describe('another program on another port of the same host', () => {
     it('is sent nothing by a browser that is logged in here, with which it could come in, and its page can neither ask nor join', async () => {
-        const page = await openPage(await newContext(rig.browser, size), await rig.server.newSession());
+        const page = await openPage(await newContext(rig.browser, size), await rig.server.streamSession());
         await entered(page);
         const { origin } = new URL(page.url());
         const count = ((await rig.server.call('session.list', {}))['sessions'] as unknown[]).length;

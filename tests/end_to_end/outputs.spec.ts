@@ -255,9 +255,10 @@ describe('a script', () => {
         return run('/usr/bin/python3', ['-c', text], { env: environment(), cwd: work.path });
     };
     const runShell = (text: string) => run('bash', ['-c', text], { env: environment(), cwd: work.path });
-    const copied = async (within: string, language: string): Promise<string> => {
-        await page.locator(`${within} wakesurf-copy-as`).getByRole('button', { name: language }).click();
-        await page.locator(within).getByText(`Copied as ${language}`).waitFor();
+    const copied = async (language: string): Promise<string> => {
+        const buttons = page.locator('wakesurf-copy-as');
+        await buttons.getByRole('button', { name: language }).click();
+        await buttons.getByText(`Copied as ${language}`).waitFor();
         const text = await page.evaluate(() => navigator.clipboard.readText());
         expect(text).not.toContain(rig.server.token);
         return text;
@@ -268,9 +269,8 @@ describe('a script', () => {
 
     it('fetches the surface that is there; where it is gone, it makes the same rake and surface', async () => {
         await page.getByRole('tab', { name: 'Flow' }).click();
-        const surfacePanel = 'section[aria-labelledby="surface-head"]';
         const before = await records();
-        const [python, curl] = [await copied(surfacePanel, 'Python'), await copied(surfacePanel, 'curl')];
+        const [python, curl] = [await copied('Python'), await copied('curl')];
         expect(String((await runPython(python)).stdout)).toMatch(/^\d+ quads$/m);
         await runShell(curl);
         expect(readFileSync(join(work.path, 'surface.vtp')).length).toBeGreaterThan(1000);
@@ -303,7 +303,7 @@ describe('a script', () => {
         ] as const) {
             await rig.server.call('time.set', { session, time });
             await page.waitForFunction((at) => window.wakesurf!.displayed!.time === at, time);
-            const text = await copied('wakesurf-time-bar', language);
+            const text = await copied(language);
             await rig.server.call('time.set', { session, time: 9 });
             await runs(text);
             expect((await records()).clock.time).toBe(time);
@@ -316,7 +316,7 @@ describe('a script', () => {
             ['Python', runPython],
             ['curl', runShell],
         ] as const) {
-            await runs(await copied('wakesurf-mesh-export', language));
+            await runs(await copied(language));
             expect(readFileSync(join(work.path, 'surface.ply')).equals(bytes)).toBe(true);
         }
     });

@@ -28,7 +28,7 @@ beforeAll(async () => {
     server = await ServerProcess.start({ data, store: join(folder, 'store'), memory: '160MiB' });
     await server.imported();
     browser = await testBrowser();
-    page = await openPage(await newContext(browser, { width: 900, height: 480 }), await server.newSession());
+    page = await openPage(await newContext(browser, { width: 900, height: 480 }), await server.streamSession());
     await finalSurface(page);
 });
 

@@ -11,7 +11,7 @@ const rig = useTestRig();
 it('a rake that is dragged costs little script, also one of very many points', async () => {
     const context = await newContext(rig.browser, { width: 900, height: 560 });
     await timeScripts(context);
-    const page = await openPage(context, await rig.server.newSession());
+    const page = await openPage(context, await rig.server.streamSession());
     await finalSurface(page);
     const session = await ask(page, (hook) => hook.session);
     const rakes = async (): Promise<RakeRecord[]> => (await rig.server.call('rake.list', { session }))['rakes'] as RakeRecord[];

@@ -18,7 +18,7 @@ let firstRake: RakeRecord;
 /** Its tests go on where the one before has left the rakes. */
 async function visit(): Promise<void> {
     context = await newContext(rig.browser, { width: 900, height: 560 });
-    page = await openPage(context, await rig.server.newSession());
+    page = await openPage(context, await rig.server.streamSession());
     await finalSurface(page);
     // By how many pixels hands move is chosen for the whole domain.
     await page.getByRole('button', { name: 'Fit' }).click();

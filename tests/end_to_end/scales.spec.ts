@@ -38,7 +38,7 @@ afterAll(async () => {
 
 async function visit(name: string, link?: string): Promise<Page> {
     const context = await newContext(browser, { width: 1440, height: 900 });
-    const page = await openPage(context, link ?? (await servers.get(name)!.newSession()));
+    const page = await openPage(context, link ?? (await servers.get(name)!.streamSession()));
     await finalSurface(page);
     return page;
 }

@@ -16,7 +16,7 @@ let page: Page;
 let session: string;
 
 beforeEach(async () => {
-    page = await visit(await rig.server.newSession());
+    page = await visit(await rig.server.streamSession());
     session = (await ask(page, (hook) => hook.session))!;
 });
 

@@ -26,6 +26,7 @@ import { connectPainting } from './session/tools/painting.ts';
 import { People } from './session/people/people.ts';
 import { Pointing, showPeople } from './session/people/peopleInPicture.ts';
 import { Families } from './session/surface/families.ts';
+import { playOnce } from './session/time/firstPlay.ts';
 import { chooseKind } from './session/time/kindChoice.ts';
 import { Playback } from './session/time/playback.ts';
 import { Suggestions } from './session/sessions/defaultScene.ts';
@@ -141,6 +142,7 @@ function start(app: App): void {
         views,
         thumbnails,
         url,
+        filled: () => playOnce({ state, playback }),
     });
     const sessionList = new SessionList({ state, worker, server, restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
@@ -187,7 +189,7 @@ function start(app: App): void {
         scalarBar: { state, view, scene, bodyFields, slices: slices.model },
         viewButtons: { view, scene },
         tools: { state, view },
-        tour: { state, view, edits, scene },
+        tour: { state, view, edits, playback, scene },
         banner: {
             state,
             view,

@@ -105,6 +105,21 @@ export class ServerProcess {
         return `${this.link}&session=${String(session)}`;
     }
 
+    /** A link to a session that begins with the stream surface that is suggested for the first dataset. */
+    async streamSession(): Promise<string> {
+        const { session } = await this.call('session.create', {});
+        const { datasets } = (await this.call('dataset.list', {})) as { datasets: { dataset: string }[] };
+        const { dataset } = datasets[0]!;
+        const found = (await this.call('dataset.suggest', { dataset })) as {
+            rake: object;
+            surfaces: ({ kind: string } & object)[];
+        };
+        const { rake } = await this.call('rake.set', { session, ...found.rake, name: 'Rake 1', default: true });
+        const surface = found.surfaces.find(({ kind }) => kind === 'stream');
+        await this.call('surface.set', { session, rake, dataset, ...surface, default: true });
+        return `${this.link}&session=${String(session)}`;
+    }
+
     /** Ends the process and waits until its port is free. */
     async stop(signal: 'SIGTERM' | 'SIGKILL' = 'SIGTERM'): Promise<void> {
         if (this.child.exitCode !== null || this.child.signalCode !== null) return;

@@ -12,17 +12,18 @@ export class TestRig {
     /** Between the server and those who come by `networkLink`. */
     network!: NetworkProxy;
 
-    /** Someone with a browser of their own, neither cookies nor choices are shared; without a link, in a session of their own. */
+    /** Someone with a browser of their own, neither cookies nor choices are shared; without a link, in a session of their own that
+     *  begins with a stream surface. */
     async visit(options: PageOptions & { link?: string } = {}): Promise<Page> {
         const context = await newContext(this.browser, options);
-        const page = await openPage(context, options.link ?? (await this.server.newSession()));
+        const page = await openPage(context, options.link ?? (await this.server.streamSession()));
         await finalSurface(page);
         return page;
     }
 
     /** To a session of its own, through the network. */
     async networkLink(): Promise<string> {
-        return `${this.network.origin}/${new URL(await this.server.newSession()).hash}`;
+        return `${this.network.origin}/${new URL(await this.server.streamSession()).hash}`;
     }
 
     /** Another window of the same browser. */

@@ -5,6 +5,7 @@ import { Color } from 'three';
 import { type Cover, coverOf, placeOf } from './base/labels.ts';
 import type { Layer, Part, ScreenPoint, ScreenSize } from './base/view.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
+import { ScaleBar } from './domain/scaleBar.ts';
 import type { FlowScene } from './scene.ts';
 
 /** shown: as on the page. clear: none. */
@@ -17,6 +18,8 @@ export interface FigureSetting {
     background: FigureBackground;
     /** The box of the domain with its numbers. */
     axes: boolean;
+    /** The bar of a round length. */
+    scale?: boolean;
     rake: boolean;
     /** Element over the picture whose place is at the bottom right. */
     bar: HTMLElement | null;
@@ -70,7 +73,8 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
     const leftOut = (layer: Layer): boolean =>
         layer.notForFigures === true ||
         (!setting.rake && layer === scene.rakes) ||
-        (!setting.axes && layer instanceof DomainOutline);
+        (!setting.axes && layer instanceof DomainOutline) ||
+        (setting.scale !== true && layer instanceof ScaleBar);
     const page = scene.labels.getBoundingClientRect();
     const wanted = setting.bar === null ? null : coverOf(page, setting.bar.getBoundingClientRect());
     const cover = wanted === null ? null : barIn(layout, wanted);
@@ -129,7 +133,7 @@ const captionAt = { x: 16, y: 24 };
 function paintText(
     context: CanvasRenderingContext2D,
     scene: FlowScene,
-    { background, axes, rake, bar, caption }: FigureSetting,
+    { background, axes, scale, rake, bar, caption }: FigureSetting,
     { layout, cover, pixelRatio }: { layout: ScreenSize; cover: Cover | null; pixelRatio: number },
 ): void {
     const { labels } = scene;
@@ -144,6 +148,7 @@ function paintText(
         element.classList.contains('beside-pointer') ||
         element.matches('.person') ||
         (!axes && element.matches('.tick, .axis-name')) ||
+        (scale !== true && element.matches('.scale')) ||
         (!rake && element.matches('.rake-label'));
     paintElement(context, labels, { x: -page.left, y: -page.top }, skipped);
     if (bar !== null && cover !== null) {

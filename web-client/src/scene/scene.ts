@@ -6,6 +6,7 @@ import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
 import type { Bounds } from './domain/domainAxes.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
+import { ScaleBar } from './domain/scaleBar.ts';
 import { FrameLoop, Movement, MovingResolution, restMs, Stillness, whenDrawn } from './frameLoop.ts';
 import { type Graphics, Lights, pictureColours } from './graphics.ts';
 import { PointerTools } from './base/pointerTools.ts';
@@ -84,6 +85,7 @@ export class FlowScene {
     /** While a figure is drawn, which has another size than the canvas. */
     private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
+    private readonly scaleBar: ScaleBar;
     /** What lies over the picture, over that of a figure too. */
     private cover: Cover | null = null;
 
@@ -119,6 +121,8 @@ export class FlowScene {
         this.add(new Lights());
         this.add(this.rakes);
         this.add(this.aim);
+        this.scaleBar = new ScaleBar(options.labels, () => this.controls.target);
+        this.add(this.scaleBar);
         new ResizeObserver(() => this.resize()).observe(this.canvas);
         this.canvas.addEventListener('webglcontextrestored', this.loop.request);
     }
@@ -171,6 +175,7 @@ export class FlowScene {
     setUnit(unit: string): void {
         this.unit = unit;
         this.outline?.setUnit(unit);
+        this.scaleBar.setUnit(unit);
         this.loop.request();
     }
 

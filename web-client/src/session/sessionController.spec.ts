@@ -65,7 +65,8 @@ class Bench {
         const thumbnails = { patched: () => undefined };
         const dataset = new OpenDataset({ state, scene, worker, imports });
         const suggestions = new Suggestions(state, worker);
-        const rest = { dataset, suggestions, feed, edits, people, views, thumbnails, url };
+        const filled = () => undefined;
+        const rest = { dataset, suggestions, feed, edits, people, views, thumbnails, url, filled };
         this.controller = new SessionController({ state, worker, ...rest });
     }
 

@@ -38,6 +38,8 @@ export interface SessionControllerOptions {
     views: Pick<Views, 'restore' | 'recovered'>;
     thumbnails: Pick<Thumbnails, 'patched'>;
     url: UrlState;
+    /** The session was empty, and has a first rake and surface now. */
+    filled: () => void;
 }
 
 export class SessionController {
@@ -169,6 +171,7 @@ export class SessionController {
             if (this.lost !== null) await this.recoverInto(joined, entry.dataset);
             else if (mayFill && !this.shown && (await addDefaultScene(this.options, entry.dataset, snapshot))) {
                 this.adopt((await this.sessionJoin.enter(snapshot.session)).snapshot);
+                this.options.filled();
             }
             if (gone()) return;
             await this.subscribeAll();

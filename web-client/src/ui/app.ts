@@ -107,6 +107,13 @@ export class App extends SignalElement {
             border: 1.5px solid light-dark(#17202d, #e8edf5);
             border-radius: 50%;
         }
+        .labels .scale {
+            font-size: 12px;
+        }
+        .labels .scale-line {
+            height: 3px;
+            background: currentColor;
+        }
         .labels .axis-name {
             font-size: 15px;
             font-weight: 600;

@@ -2,7 +2,8 @@
 // sight, how far the server has come.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { type ReadonlySignal, signal } from '@preact/signals-core';
-import { bookmarkSteps, noteSteps, probeSteps, rakeSteps, surfaceSteps } from '../session/out/panelSteps.ts';
+import { flowSteps, meshSteps, shareSteps, viewSteps } from '../session/out/panelSteps.ts';
+import type { ScriptStep } from '../session/out/scripts.ts';
 import type { AppState } from '../state/appState.ts';
 import type { ViewState } from '../state/viewState.ts';
 import './view/bookmarksPanel.ts';
@@ -39,8 +40,7 @@ import './view/surroundingsPanel.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
 import './out/pictureExport.ts';
 import type { FilmExportModel, PictureExportModel } from './out/pictureExport.ts';
-import './out/meshExport.ts';
-import type { MeshExportModel } from './out/meshExport.ts';
+import { chosenMesh, type MeshExportModel } from './out/meshExport.ts';
 import type { AnimationExportModel } from './out/animationExport.ts';
 import { isolated } from '../state/announcements.ts';
 
@@ -107,6 +107,8 @@ interface Tab {
     id: string;
     label: string;
     body: (model: PanelModel) => TemplateResult;
+    /** What "Copy as" copies. */
+    steps: (model: PanelModel) => ScriptStep[];
 }
 
 const tabs: readonly Tab[] = [
@@ -121,7 +123,6 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="surface-head">
                 <h2 id="surface-head">Surface</h2>
                 <wakesurf-surface .model=${model.surface}></wakesurf-surface>
-                <wakesurf-copy-as .model=${model} .calls=${() => surfaceSteps(model.state)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="slices-head">
                 <h2 id="slices-head">Slices</h2>
@@ -131,15 +132,16 @@ const tabs: readonly Tab[] = [
                 <details open>
                     <summary><h2 id="rake-head">Geometry</h2></summary>
                     <wakesurf-rake .model=${model.rake}></wakesurf-rake>
-                    <wakesurf-copy-as .model=${model} .calls=${() => rakeSteps(model.state)}></wakesurf-copy-as>
                 </details>
             </section>
         `,
+        steps: ({ state }) => flowSteps(state),
     },
     {
         id: 'look',
         label: 'Look',
         body: (model) => html`<wakesurf-look .model=${model.look}></wakesurf-look>`,
+        steps: ({ state }) => flowSteps(state),
     },
     {
         id: 'view',
@@ -148,18 +150,17 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="bookmarks-head">
                 <h2 id="bookmarks-head">Saved views</h2>
                 <wakesurf-bookmarks .model=${model.bookmarks}></wakesurf-bookmarks>
-                <wakesurf-copy-as .model=${model} .calls=${() => bookmarkSteps(model.state)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="probe-head">
                 <h2 id="probe-head">Probe and measure</h2>
                 <wakesurf-probe .model=${model.probe}></wakesurf-probe>
-                <wakesurf-copy-as .model=${model} .calls=${() => probeSteps(model.state, model.view)}></wakesurf-copy-as>
             </section>
             <section aria-labelledby="surroundings-head">
                 <h2 id="surroundings-head">Surroundings</h2>
                 <wakesurf-surroundings .model=${model.surroundings}></wakesurf-surroundings>
             </section>
         `,
+        steps: ({ state, view }) => viewSteps(state, view),
     },
     {
         id: 'share',
@@ -172,23 +173,20 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="links-head">
                 <h2 id="links-head">Invite</h2>
                 <wakesurf-links .model=${model.links}></wakesurf-links>
-                ${
-                    model.state.role.value === 'host'
-                        ? html`<wakesurf-copy-as
-                          .model=${model}
-                          .calls=${() => [{ method: 'session.share', params: { role: 'editor' } }]}
-                      ></wakesurf-copy-as>`
-                        : nothing
-                }
             </section>
             <section aria-labelledby="notes-head">
                 <h2 id="notes-head">Notes</h2>
                 <wakesurf-notes .model=${model.notes}></wakesurf-notes>
-                <wakesurf-copy-as .model=${model} .calls=${() => noteSteps(model.state)}></wakesurf-copy-as>
             </section>
         `,
+        steps: ({ state }) => shareSteps(state),
     },
-    { id: 'export', label: 'Export', body: (model) => exportBody(model.export) },
+    {
+        id: 'export',
+        label: 'Export',
+        body: (model) => exportBody(model.export),
+        steps: (model) => meshSteps(model.state, chosenMesh(model.export.mesh)),
+    },
 ];
 
 export class Panel extends ModelElement<PanelModel> {
@@ -197,7 +195,7 @@ export class Panel extends ModelElement<PanelModel> {
     static override styles = css`
         :host {
             display: grid;
-            grid-template-rows: auto auto minmax(0, 1fr) auto;
+            grid-template-rows: auto auto minmax(0, 1fr) auto auto;
             min-height: 0;
             background: var(--ground);
             border-left: 1px solid var(--line);
@@ -252,10 +250,14 @@ export class Panel extends ModelElement<PanelModel> {
             overflow-y: auto;
             padding: 0 16px 14px;
         }
+        wakesurf-copy-as {
+            padding: 4px 16px;
+            border-top: 1px solid var(--line);
+        }
         wakesurf-status {
             max-height: 40vh;
             overflow-y: auto;
-            padding: 8px 16px 12px;
+            padding: 4px 16px 8px;
             border-top: 1px solid var(--line);
         }
         /* Below the picture there is little height: everything scrolls, under the tabs. */
@@ -281,6 +283,10 @@ export class Panel extends ModelElement<PanelModel> {
             wakesurf-status {
                 display: contents;
             }
+            /* Scripts are for where there are terminals. */
+            wakesurf-copy-as {
+                display: none;
+            }
         }
     `;
 
@@ -304,6 +310,7 @@ export class Panel extends ModelElement<PanelModel> {
             <div role="tabpanel" id="tab-body" tabindex="0" aria-labelledby=${`tab-${chosen.id}`}>
                 ${dataset === null ? nothing : chosen.body(this.model)}
             </div>
+            <wakesurf-copy-as .model=${this.model} .calls=${() => chosen.steps(this.model)}></wakesurf-copy-as>
             <wakesurf-status role="region" aria-label="Status" .model=${this.model.status}></wakesurf-status>
         `;
     }

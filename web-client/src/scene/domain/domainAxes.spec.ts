@@ -7,13 +7,18 @@ import { projectToScreen } from '../base/view.ts';
 const bounds: Bounds = [-3, 13, -4, 4, 0, 6];
 const size = { width: 800, height: 600 };
 
-function edgesSeenFrom(eye: Vec3): ReturnType<typeof labelledEdges> {
+function cameraAt(eye: Vec3, at: Vec3): PerspectiveCamera {
     const camera = new PerspectiveCamera(30, size.width / size.height, 0.1, 1000);
     camera.up.set(0, 0, 1);
     camera.position.set(...eye);
-    camera.lookAt(...centreOf(bounds));
+    camera.lookAt(...at);
     camera.updateMatrixWorld();
-    return labelledEdges(bounds, eye, (p) => projectToScreen(p, camera, size));
+    return camera;
+}
+
+function edgesSeenFrom(eye: Vec3, at: Vec3 = centreOf(bounds)): ReturnType<typeof labelledEdges> {
+    const camera = cameraAt(eye, at);
+    return labelledEdges(bounds, eye, (p) => projectToScreen(p, camera, size), size);
 }
 
 describe('labelledEdges', () => {
@@ -35,6 +40,27 @@ describe('labelledEdges', () => {
     it('follows the camera to the other side', () => {
         const [x] = edgesSeenFrom([20, 40, 25]);
         expect(x?.from).toEqual([-3, 4, 0]);
+    });
+
+    it.each([
+        ['outside, near a corner', [-6, -9, 4], [0, -4, 1]],
+        ['inside', [0, 0, 3], [13, 4, 0]],
+    ] as [string, Vec3, Vec3][])('takes of each edge what is seen from %s', (_where, eye, at) => {
+        const edges = edgesSeenFrom(eye, at);
+        expect(edges.length).toBeGreaterThan(0);
+        const camera = cameraAt(eye, at);
+        for (const { axis, from, to } of edges) {
+            expect(from[axis]).toBeGreaterThanOrEqual(bounds[2 * axis]!);
+            expect(to[axis]).toBeLessThanOrEqual(bounds[2 * axis + 1]!);
+            expect(to[axis]).toBeGreaterThan(from[axis]);
+            for (const end of [from, to]) {
+                const { x, y } = projectToScreen(end, camera, size)!;
+                expect(x).toBeGreaterThan(-1e-6 * size.width);
+                expect(x).toBeLessThan((1 + 1e-6) * size.width);
+                expect(y).toBeGreaterThan(-1e-6 * size.height);
+                expect(y).toBeLessThan((1 + 1e-6) * size.height);
+            }
+        }
     });
 });
 

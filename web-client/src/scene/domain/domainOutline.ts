@@ -56,7 +56,7 @@ export class DomainOutline implements Layer {
         this.labels.begin();
         this.placed = [];
         this.size = view.size;
-        for (const edge of labelledEdges(this.bounds, eye, project)) this.labelEdge(edge, project);
+        for (const edge of labelledEdges(this.bounds, eye, project, view.size)) this.labelEdge(edge, project);
         this.labels.end();
     }
 

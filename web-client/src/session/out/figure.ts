@@ -15,6 +15,10 @@ export class Figure {
     readonly background = signal<FigureBackground>('shown');
     readonly bar = signal(true);
     readonly axes = signal(true);
+    /** A bar of a round length. */
+    readonly scale = signal(false);
+    /** Words at the top left. */
+    readonly text = signal('');
     readonly rake = signal(false);
     /** Whether a picture that shows a surface before it is final says so. */
     readonly coarse = signal(true);
@@ -46,9 +50,14 @@ export class Figure {
     /** Error: in words, where the graphics cannot draw it. */
     draw(size: ScreenSize, caption: string | null, background = this.background.value, tileSide?: number): HTMLCanvasElement {
         const bar = this.bar.value ? this.findBar() : null;
-        const [axes, rake] = [this.axes.value, this.rake.value];
+        const [axes, scale, rake] = [this.axes.value, this.scale.value, this.rake.value];
+        const words = [this.text.value.trim(), caption ?? ''].filter((each) => each !== '').join(', ');
         const shownBar = bar?.hidden === true ? null : bar;
-        const drawn = capture(this.scene, { ...size, background, axes, rake, caption, bar: shownBar }, tileSide);
+        const drawn = capture(
+            this.scene,
+            { ...size, background, axes, scale, rake, caption: words === '' ? null : words, bar: shownBar },
+            tileSide,
+        );
         this.barLeftOut = drawn.barLeftOut;
         return drawn.figure;
     }

@@ -1,17 +1,16 @@
-// Writes what the panels show as the steps of a script that makes the same records again.
+// Writes what the tabs of the panel show as the steps of a script that makes the same again.
 import type { RakeRecord, Vec3 } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { type CallStep, type MeshFile, type ScriptStep, ScriptVariable } from './scripts.ts';
 
-/** The rake of the surface that is being worked on, as it is on the screen. */
-export function rakeSteps(state: AppState): ScriptStep[] {
-    const rake = state.rake.value;
-    return rake === undefined ? [] : [rakeStep(rake, state.rakePoints.value, 'rake')];
+/** The surface that is being worked on, at the time of the picture. */
+export function flowSteps(state: AppState): ScriptStep[] {
+    return [...timeSteps(state), ...surfaceSteps(state)];
 }
 
 /** The surface that is being worked on, with what it hangs on. */
-export function surfaceSteps(state: AppState): ScriptStep[] {
+function surfaceSteps(state: AppState): ScriptStep[] {
     const record = state.surface.value;
     const second = state.rakes.value.get(record?.rake2 ?? '');
     if (record === undefined || state.rake.value === undefined) return [];
@@ -31,15 +30,16 @@ export function surfaceSteps(state: AppState): ScriptStep[] {
 }
 
 /** When the picture is of. */
-export function timeSteps(state: AppState): ScriptStep[] {
+function timeSteps(state: AppState): ScriptStep[] {
     const clock = state.clock.value;
     const record = state.surface.value;
-    if (clock === null || record === undefined || record.kind === 'stream') return surfaceSteps(state);
+    if (clock === null || record === undefined || record.kind === 'stream') return [];
     if (!clock.playing) return [{ method: 'time.set', params: { time: clock.time } }];
     const { speed, loop, from, to } = clock;
     return [{ method: 'time.play', params: { speed, loop, from: from ?? undefined, to: to ?? undefined } }];
 }
 
+/** Downloads the mesh of the surface that is being worked on. */
 export function meshSteps(state: AppState, mesh: MeshFile): ScriptStep[] {
     const surface = state.activeSurface.value;
     return surface === null ? [] : [{ mesh, surface }];
@@ -50,8 +50,12 @@ function rakeStep({ kind, seeds, name, colour }: RakeRecord, points: readonly Ve
     return { method: 'rake.set', params: { kind, points: shown, seeds, name, colour }, variable };
 }
 
-/** Returns what the probe asks, where it is now. */
-export function probeSteps(state: AppState, view: ViewState): ScriptStep[] {
+/** The saved views, and what the probe asks, where it is now. */
+export function viewSteps(state: AppState, view: ViewState): ScriptStep[] {
+    return [...bookmarkSteps(state), ...probeSteps(state, view)];
+}
+
+function probeSteps(state: AppState, view: ViewState): ScriptStep[] {
     const description = state.dataset.value;
     const reading = view.probe.value;
     if (description === null || reading === null) return [];
@@ -61,14 +65,20 @@ export function probeSteps(state: AppState, view: ViewState): ScriptStep[] {
     return [{ method: 'probe.sample', params: { dataset: description.dataset, points: [point], time, ...requested } }];
 }
 
-export function noteSteps(state: AppState): ScriptStep[] {
+/** A link for others, who may edit, and the notes. */
+export function shareSteps(state: AppState): ScriptStep[] {
+    const link: CallStep = { method: 'session.share', params: { role: 'editor' } };
+    return [...(state.role.value === 'host' ? [link] : []), ...noteSteps(state)];
+}
+
+function noteSteps(state: AppState): CallStep[] {
     return [...state.annotations.value.values()].map(({ text, position }) => ({
         method: 'annotation.set',
         params: { text, position },
     }));
 }
 
-export function bookmarkSteps(state: AppState): ScriptStep[] {
+function bookmarkSteps(state: AppState): CallStep[] {
     return [...state.bookmarks.value.values()].map(({ name, view, time }) => ({
         method: 'bookmark.set',
         params: { name, view, time },

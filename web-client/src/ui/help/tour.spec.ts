@@ -12,7 +12,8 @@ import './tour.ts';
 function wordsOf(id: string, facts: { touch: boolean; narrow: boolean }): string {
     const [state, view] = [new AppState(), new ViewState()];
     state.dataset.value = datasetOf({ times: [0, 1, 2], steady: false });
-    const rest = { state, view, ...facts } as unknown as TourFacts;
+    const edits = { intent: { value: null } };
+    const rest = { state, view, edits, ...facts } as unknown as TourFacts;
     return tourSteps.find((step) => step.id === id)!.words(rest);
 }
 
@@ -24,8 +25,8 @@ describe('the tour', () => {
     });
 
     it('says where the settings are on this screen', () => {
-        expect(wordsOf('streak', { touch: false, narrow: false })).toContain('On the right');
-        expect(wordsOf('streak', { touch: true, narrow: true })).toContain('Below the picture');
+        expect(wordsOf('kind', { touch: false, narrow: false })).toContain('On the right');
+        expect(wordsOf('kind', { touch: true, narrow: true })).toContain('Below the picture');
     });
 });
 
@@ -65,10 +66,9 @@ it('a first visit is led from the rake to sharing, by doing what the tour says',
     await leads(() => turn('from elsewhere'), 'drag');
     await leads(() => bench.edits.changeRake('rake-1', { seeds: 40 }), 'turn');
     await leads(() => turn('from elsewhere'), 'turn');
-    await leads(() => turn('from above'), 'streak');
-    await leads(() => bench.chooseKind('path'), 'streak');
-    await leads(() => bench.chooseKind('streak'), 'play');
-    await leads(() => bench.playback.toggle(), 'look');
+    await leads(() => turn('from above'), 'play');
+    await leads(() => bench.playback.toggle(), 'kind');
+    await leads(() => bench.chooseKind('streak'), 'look');
     await leads(() => bench.view.changeLook('surface-1', { map: 'cividis' }), 'share');
     await tour.press('Done');
     expect(steps()).toEqual([]);

@@ -1,8 +1,10 @@
 // Leads a first visit through the page, from dragging the rake to showing the result to another user, one card at a time, without standing
 // in the way: whatever it speaks of can be done while it is there, and it can be sent away.
 import { css, html, nothing, type TemplateResult } from 'lit';
+import type { SurfaceKind } from '../../protocol/messages.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
+import type { Playback } from '../../session/time/playback.ts';
 import type { AppState } from '../../state/appState.ts';
 import { keep, recall } from '../../state/browserMemory.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -106,9 +108,10 @@ customElements.define('wakesurf-tour', Tour);
 
 /** What the steps look at to see what the user has done. */
 export interface TourFacts {
-    state: Pick<AppState, 'rakes' | 'dataset' | 'times' | 'clock' | 'participants'>;
+    state: Pick<AppState, 'rakes' | 'dataset' | 'times' | 'participants'>;
     view: Pick<ViewState, 'looks'>;
     edits: Pick<Edits, 'intent'>;
+    playback: Pick<Playback, 'playing'>;
     scene: Pick<FlowScene, 'controls'>;
     /** Fingers, not a mouse. */
     touch: boolean;
@@ -129,11 +132,17 @@ export interface TourStart {
     rakeRevisions: string;
     pose: string;
     looks: ViewState['looks']['value'];
+    kind: SurfaceKind | undefined;
 }
 
-function tourStart({ state, scene, view }: Omit<TourFacts, 'touch' | 'narrow'>): TourStart {
+function tourStart({ state, scene, view, edits }: Omit<TourFacts, 'touch' | 'narrow'>): TourStart {
     const revisions = [...state.rakes.value.values()].map(({ rake, rev }) => `${rake} ${rev}`);
-    return { rakeRevisions: revisions.join(), pose: JSON.stringify(scene.controls.pose), looks: view.looks.value };
+    return {
+        rakeRevisions: revisions.join(),
+        pose: JSON.stringify(scene.controls.pose),
+        looks: view.looks.value,
+        kind: edits.intent.value?.kind,
+    };
 }
 
 export const tourSteps: readonly TourStep[] = [
@@ -155,22 +164,27 @@ export const tourSteps: readonly TourStep[] = [
         done: (facts, before) => tourStart(facts).pose !== before.pose,
     },
     {
-        id: 'streak',
-        title: 'Choose a streak surface',
-        words: ({ state, narrow }) =>
-            state.dataset.value?.steady === true || state.times.value.length < 2
-                ? 'This flow does not change with time. In a flow that does, a streak surface shows particles released one after another, like smoke.'
-                : `${narrow ? 'Below the picture' : 'On the right'}, under Flow, choose Streak: particles released one after another, like smoke. It moves with the flow.`,
-        done: ({ edits }) => edits.intent.value?.kind === 'streak',
-    },
-    {
         id: 'play',
         title: 'Watch it move',
         words: ({ state }) =>
             'Press play under the picture' +
             (state.dataset.value?.obstacle === true ? ' and watch the sheet tear around the body' : '') +
             '. Everyone in the session sees the same time.',
-        done: ({ state }) => state.clock.value?.playing === true,
+        done: ({ playback }) => playback.playing.value,
+    },
+    {
+        id: 'kind',
+        title: 'Choose another surface',
+        words: ({ state, edits, narrow }) => {
+            const where = `${narrow ? 'Below the picture' : 'On the right'}, under Flow, choose`;
+            if (state.dataset.value?.steady === true || state.times.value.length < 2) {
+                return 'This flow does not change with time. In a flow that does, a streak surface shows particles released one after another, like smoke.';
+            }
+            return edits.intent.value?.kind === 'streak'
+                ? `This is a streak surface: particles released one after another, like smoke. ${where} Stream to see where they would go if the flow stood still.`
+                : `${where} Streak: particles released one after another, like smoke. It moves with the flow.`;
+        },
+        done: ({ edits }, before) => edits.intent.value?.kind !== before.kind,
     },
     {
         id: 'look',

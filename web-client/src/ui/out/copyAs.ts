@@ -1,4 +1,4 @@
-// Two small buttons at the end of a panel: what it shows, as a script to copy. Where a page may not write to
+// Two small buttons below the panel: what its tab shows, as a script to copy. Where a page may not write to
 // the clipboard (it may not over http from another machine) the text is shown, to be copied by hand.
 //     <wakesurf-copy-as .model=${model} .calls=${() => [{ method, params }]}></wakesurf-copy-as>
 import { css, html, type TemplateResult } from 'lit';
@@ -32,7 +32,6 @@ export class CopyAs extends ModelElement<CopyAsModel> {
                 flex-wrap: wrap;
                 align-items: center;
                 gap: 4px 6px;
-                margin-top: 10px;
                 font-size: 12px;
             }
             button {

@@ -1,13 +1,11 @@
 // The surface as a file for other programs.
 import { html, nothing, type TemplateResult } from 'lit';
 import { signal } from '@preact/signals-core';
-import { meshSteps } from '../../session/out/panelSteps.ts';
 import { meshIsCoarse, meshTimeWords, pieceText } from '../../session/out/exportNames.ts';
 import type { MeshFile } from '../../session/out/scripts.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import './copyAs.ts';
 import { exportStyles } from './exportParts.ts';
 import { checkRow, type Choice, selectRow } from '../base/rows.ts';
 import { fileName, saveFile } from '../base/copyAndSave.ts';
@@ -60,10 +58,6 @@ export class MeshExport extends ModelElement<MeshExportModel> {
             </div>
             <p class="hint" id="mesh-time">${meshTimeWords(state, view)}</p>
             ${words === '' ? nothing : html`<p class="hint" role=${progress === 'failed' ? 'alert' : 'status'}>${words}</p>`}
-            <wakesurf-copy-as
-                .model=${this.model}
-                .calls=${() => meshSteps(state, wanted(this.model))}
-            ></wakesurf-copy-as>
         `;
     }
 
@@ -86,7 +80,8 @@ function canHold({ format }: MeshFile, pieces: string): boolean {
     return pieces === 'points' ? format === 'ply' : format !== 'drc';
 }
 
-function wanted(model: Pick<MeshExportModel, 'state' | 'view'>): MeshFile {
+/** Returns the file that the panel is set to. */
+export function chosenMesh(model: Pick<MeshExportModel, 'state' | 'view'>): MeshFile {
     const lines = shownPieces(model);
     return lines !== null && asShown.value && canHold(chosen.value, lines) ? { ...chosen.value, lines } : chosen.value;
 }
@@ -94,7 +89,7 @@ function wanted(model: Pick<MeshExportModel, 'state' | 'view'>): MeshFile {
 /** In the format that is chosen. @param now  also where it is not final yet, which the name says then */
 export async function downloadMesh(model: Pick<MeshExportModel, 'mesh' | 'state' | 'view'>, now = false): Promise<void> {
     const { mesh, state } = model;
-    const choice = wanted(model);
+    const choice = chosenMesh(model);
     const { activeSurface, session, surface } = state;
     if (activeSurface.value === null || session.value === null) return;
     const kind = surface.value?.kind ?? 'surface';

@@ -2,6 +2,7 @@
 // frame.
 import { type Signal, signal } from '@preact/signals-core';
 import { html, nothing, type TemplateResult } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
 import { coarseCaption, pictureIsCoarse, timeInName } from '../../session/out/exportNames.ts';
 import type { Figure } from '../../session/out/figure.ts';
@@ -50,8 +51,19 @@ export class PictureExport extends ModelElement<PictureExportModel> {
             ${selectRow('background', 'Background', backgrounds, figure.background.value, (chosen) => (figure.background.value = chosen))}
             <div class="checks">
                 ${this.check('Scalar bar', figure.bar)} ${this.check('Box and axes', figure.axes)}
+                ${this.check('Length scale', figure.scale)}
                 ${this.check('Rake', figure.rake)}
                 ${pictureIsCoarse(state) ? this.check('Say that it is coarse', figure.coarse) : nothing}
+            </div>
+            <div class="row">
+                <label for="figure-text">Text</label>
+                <input
+                    id="figure-text"
+                    maxlength="120"
+                    placeholder="at the top left"
+                    .value=${live(figure.text.value)}
+                    @change=${(event: Event) => (figure.text.value = (event.target as HTMLInputElement).value)}
+                />
             </div>
             <div class="row"><button type="button" id="save-picture" @click=${this.save}>Save PNG</button></div>
             <p class="hint" id="picture-time">As it is shown, at t = ${timeWords(state, view, shownTime(state))}. The name of the file says so.</p>

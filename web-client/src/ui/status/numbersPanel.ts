@@ -49,7 +49,11 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
 
     static override styles = css`
         :host {
-            display: block;
+            display: contents;
+            font-size: 12px;
+        }
+        details[open] {
+            flex: 1 0 100%;
         }
         dl {
             grid-template-columns: 1fr auto;

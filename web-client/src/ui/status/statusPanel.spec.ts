@@ -19,7 +19,7 @@ beforeEach(async () => {
 });
 
 const surface = () => bench.surfaces[0]!;
-const status = (): string | null => panel.get<HTMLElement>('dd > [role=status]').textContent;
+const status = (): string | null => panel.get<HTMLElement>('[role=status]').textContent;
 
 /** What the server has counted on the state that is shown. */
 async function counted(change: Partial<SurfaceStats>): Promise<void> {
@@ -36,6 +36,8 @@ describe('a surface that is there', () => {
 
     it('says how far interpolating between stored times may put it off, or why that is not said', async () => {
         const between = (): string => panel.get<HTMLElement>('#between-times').textContent.trim();
+        bench.chooseKind('streak');
+        await rested();
         await counted({ kind: 'streak', intervalPending: true, intervalLeftOut: 'it is not estimated yet' });
         expect(between()).toBe('Between stored times: being estimated');
         await counted({ intervalError99: 0.412, separation: 0.02, intervalUnresolved: 0.123, advisedInterval: 0.104 });

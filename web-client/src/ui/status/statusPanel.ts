@@ -39,26 +39,35 @@ export class StatusPanel extends ModelElement<StatusModel> {
             margin: 8px 0 0;
             color: var(--warm);
         }
-        dl {
-            gap: 3px 12px;
+        .state {
+            position: relative;
+            display: flex;
+            gap: 8px;
+            align-items: center;
+            /* Of a button, also without one: nothing that one is about to press may move. */
+            min-height: 28px;
+        }
+        .state span {
+            flex: 1;
         }
         .counts,
         .between {
-            margin: 2px 0 0;
+            margin: 0;
         }
         .between {
             min-height: 1.4em;
         }
-        .progress {
-            display: flex;
-            gap: 8px;
-            align-items: center;
-            height: 28px;
-            margin: 4px 0;
-        }
         progress {
-            flex: 1;
-            min-width: 0;
+            position: absolute;
+            inset: auto 0 0;
+            width: 100%;
+            height: 4px;
+        }
+        .more {
+            display: flex;
+            flex-wrap: wrap;
+            gap: 0 12px;
+            margin-top: 4px;
         }
         .final {
             color: var(--good);
@@ -76,14 +85,14 @@ export class StatusPanel extends ModelElement<StatusModel> {
         }
         /* Below the picture, where all scrolls: how far the surface is stays in sight. */
         @media (max-width: 760px) {
-            dl {
+            .state {
                 position: sticky;
                 bottom: 0;
-                padding: 6px 16px;
+                padding: 2px 16px;
                 border-top: 1px solid var(--line);
                 background: var(--ground);
             }
-            dl ~ * {
+            .state ~ * {
                 padding-inline: 16px;
             }
         }
@@ -98,24 +107,30 @@ export class StatusPanel extends ModelElement<StatusModel> {
         const outcome = state.outcomes.value.get(id);
         const trimmed = state.trimmed.value.get(id) ?? 0;
         const count = (value: number | undefined): string => (value === undefined ? '–' : countWords(value));
-        return html`<dl>
-                <dt>Surface</dt>
-                <dd class=${phase === 'final' && isDoubtful(outcome) ? 'doubtful' : phase}><span role="status">${displayed === undefined && phase === 'stopped' ? phaseWords.error : statusWords(phase, outcome, view.units.value.length)}</span></dd>
-            </dl>
+        const moves = state.surface.value?.kind !== 'stream' && state.dataset.value?.steady === false;
+        return html`<div class="state">
+                ${this.progress()}
+                <span role="status" class=${phase === 'final' && isDoubtful(outcome) ? 'doubtful' : phase}>${displayed === undefined && phase === 'stopped' ? phaseWords.error : statusWords(phase, outcome, view.units.value.length)}</span>
+                ${this.stop()}
+            </div>
             <p class="counts quiet value">
-                ${count(displayed?.cells)} quads${trimmed === 0 ? '' : ` (${countWords(trimmed)} trimmed)`}, ${count(displayed?.vertices)} vertices, separation
-                ${withUnit(shortNumber(state.surface.value?.separation ?? Number.NaN), view.units.value.length)}
+                ${count(displayed?.cells)} quads${trimmed === 0 ? '' : ` (${countWords(trimmed)} trimmed)`}, ${count(displayed?.vertices)} vertices
             </p>
-            <p class=${isBeyond(outcome) ? 'between value doubtful' : 'between quiet value'} id="between-times">
-                ${phase === 'final' || phase === 'coarsened' ? betweenWords(outcome, view.units.value) : nothing}
-            </p>
+            ${
+                moves
+                    ? html`<p class=${isBeyond(outcome) ? 'between value doubtful' : 'between quiet value'} id="between-times">
+                          ${phase === 'final' || phase === 'coarsened' ? betweenWords(outcome, view.units.value) : nothing}
+                      </p>`
+                    : nothing
+            }
             ${phase === 'coarsened' ? this.quadLimit() : nothing}
             ${phase === 'empty' ? html`<p class="problem" id="empty-reason">${emptyWords(outcome)}</p>` : nothing}
-            ${this.progress()}
             <wakesurf-long-pass .model=${this.model}></wakesurf-long-pass>
-            <wakesurf-quality .model=${this.model}></wakesurf-quality>
-            <wakesurf-numbers .model=${this.model}></wakesurf-numbers>
-            <wakesurf-latency .model=${this.model}></wakesurf-latency>
+            <div class="more">
+                <wakesurf-quality .model=${this.model}></wakesurf-quality>
+                <wakesurf-numbers .model=${this.model}></wakesurf-numbers>
+                <wakesurf-latency .model=${this.model}></wakesurf-latency>
+            </div>
             ${
                 phase === 'error' || phase === 'stopped'
                     ? html`<p class="problem">${state.surfaceErrors.value.get(id)?.text ?? ''}</p>`
@@ -152,16 +167,17 @@ export class StatusPanel extends ModelElement<StatusModel> {
         </p>`;
     }
 
-    private progress(): TemplateResult {
+    private progress(): TemplateResult | typeof nothing {
+        const now = this.model.state.progress.value;
+        return now === null ? nothing : html`<progress max="1" value=${now.fraction ?? nothing} aria-label="Surface"></progress>`;
+    }
+
+    private stop(): TemplateResult | typeof nothing {
         const { state, progress } = this.model;
-        const now = state.progress.value;
-        // In any case its room is kept: nothing that one is about to press may move.
-        if (now === null) return html`<div class="progress" aria-hidden="true"></div>`;
         const may = state.role.value !== 'viewer' && state.capabilities.value.includes('stop');
-        return html`<div class="progress">
-            <progress max="1" value=${now.fraction ?? nothing} aria-label="Surface"></progress>
-            ${may ? html`<button type="button" @click=${() => progress.stop()}>Stop</button>` : nothing}
-        </div>`;
+        return state.progress.value === null || !may
+            ? nothing
+            : html`<button type="button" @click=${() => progress.stop()}>Stop</button>`;
     }
 }
 
@@ -300,10 +316,13 @@ export class LatencyPanel extends ModelElement<LatencyModel> {
 
     static override styles = css`
         :host {
-            display: block;
+            display: contents;
+            font-size: 12px;
+        }
+        details[open] {
+            flex: 1 0 100%;
         }
         summary span {
-            float: right;
             color: var(--text);
         }
         dl {

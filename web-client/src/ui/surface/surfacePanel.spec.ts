@@ -17,6 +17,7 @@ beforeEach(async () => {
 const surface = () => bench.surfaces[0]!;
 const choose = (kind: string): Promise<void> => panel.click('[type=radio]', kind);
 const direct = (direction: string): Promise<void> => panel.enter('#direction', 'Direction', direction);
+const note = () => panel.get<HTMLElement>('#kind-note').textContent;
 const direction = () => panel.get<HTMLSelectElement>('#direction');
 
 describe('the kinds of surface', () => {
@@ -30,6 +31,17 @@ describe('the kinds of surface', () => {
         bench.state.dataset.value = { ...bench.state.dataset.value!, times: [0] };
         await rested();
         expect(offered()).toEqual(['stream']);
+        expect(note()).toBe('The data have one time, 0: only stream surfaces and level sets can be shown.');
+        bench.state.dataset.value = { ...bench.state.dataset.value, steady: true };
+        await rested();
+        expect(note()).toBe('The flow does not change: a stream surface is also the streak surface.');
+    });
+
+    it('that move are said to stay short where the data last for little of the way', async () => {
+        expect(panel.all('#kind-note')).toEqual([]);
+        bench.state.dataset.value = { ...bench.state.dataset.value!, times: [8.5, 9, 9.5] };
+        await rested();
+        expect(note()).toBe('The data last 1, and the fluid takes 20 to pass: surfaces that move stay short.');
     });
 
     it('releases a streak surface until the slider says', async () => {
@@ -59,10 +71,6 @@ describe('the kinds of surface', () => {
         expect(surface().sweep).toEqual([0, sweep![1], 0.5]);
         await choose('Path');
         expect(surface().sweep).toBeUndefined();
-        expect(panel.text).toContain('To the end of the data, 7.5 on: a stream surface follows the fluid for 20.');
-        const suggestion = bench.state.suggestion.value!;
-        bench.state.suggestion.value = { ...suggestion, surfaces: [{ ...suggestion.surfaces[0]!, to: 30 }] };
-        await rested();
         expect(panel.text).toContain('To the end of the data.');
         const slider = panel.get('#length');
         expect([slider.value, slider.max]).toEqual([String(surface().to - surface().from), slider.value]);

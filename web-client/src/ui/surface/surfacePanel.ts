@@ -71,6 +71,9 @@ const kindNames: Record<SurfaceKind, string> = {
     level: 'Level set',
 };
 
+/** Of the time that the fluid takes: what moves is shown first where the data last longer, see scene_suggestion.cpp. */
+const leastLasting = 0.3;
+
 /** The ends of the slider are exact: it is parted evenly. */
 const lengthSteps = 100;
 
@@ -92,7 +95,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         }
         .kinds {
             display: grid;
-            grid-template-columns: 1fr 1fr;
+            grid-template-columns: repeat(3, auto);
             margin: 0 0 10px;
             padding: 2px;
             border: 1px solid var(--line);
@@ -111,7 +114,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
             align-items: center;
             gap: 6px;
             min-height: 28px;
-            padding-left: 24px;
+            padding-left: 8px;
             border-radius: 6px;
             cursor: pointer;
         }
@@ -162,6 +165,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                     <legend>Kind of surface</legend>
                     ${surfaceKinds.map((kind) => this.kindChoice(kind, dataset))}
                 </fieldset>
+                ${this.kindNote(intent, dataset)}
                 ${intent.kind === 'level' ? (this.level ??= new LevelRows(this.model)).rows() : this.followedRows(intent, dataset)}
                 <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
                 <wakesurf-mesh-rules .model=${this.model}></wakesurf-mesh-rules>
@@ -184,7 +188,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                     change: (length) => edits.changeSurface({ length }),
                 })}
                 <wakesurf-time-ends .model=${this.model}></wakesurf-time-ends>
-                <p class="quiet" id="data-end" ?hidden=${!dataEnd || shown < longest * 0.999}>To the end of the data${this.shortData(longest)}.</p>
+                <p class="quiet" id="data-end" ?hidden=${!dataEnd || shown < longest * 0.999}>To the end of the data.</p>
                 <wakesurf-release .model=${this.model}></wakesurf-release>
                 ${intent.kind === 'time' ? this.secondCurve(intent) : ''}
                 ${this.separation(dataset, intent.separation)}
@@ -223,13 +227,29 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         return { longest, dataEnd: false };
     }
 
-    /** Where that is early: such a surface is small by the data, not by the flow. */
-    private shortData(left: number): string {
-        const stream = this.model.state.suggestion.value?.surfaces.find(({ kind }) => kind === 'stream');
-        const usual = stream === undefined ? 0 : stream.to - stream.from;
-        return usual > 2 * left
-            ? `, ${this.duration(left)} on: a stream surface follows the fluid for ${this.duration(usual)}`
-            : '';
+    /** Why a kind that moves is not offered, would show the same, or is small. */
+    private kindNote(
+        { kind, from }: SurfaceIntent,
+        { times, steady, grid }: DatasetDescription,
+    ): TemplateResult | typeof nothing {
+        const note = (words: string): TemplateResult => html`<p class="quiet" id="kind-note">${words}</p>`;
+        if (steady) {
+            return kind === 'stream' ? note('The flow does not change: a stream surface is also the streak surface.') : nothing;
+        }
+        if (times.length < 2) {
+            return grid === 'analytic'
+                ? nothing
+                : note(
+                      `The data have one time, ${this.time(times[0] ?? from)}: only stream surfaces and level sets can be shown.`,
+                  );
+        }
+        const stream = this.model.state.suggestion.value?.surfaces.find((each) => each.kind === 'stream');
+        const [lasting, usual] = [times.at(-1)! - times[0]!, stream === undefined ? 0 : stream.to - stream.from];
+        return kind === 'level' || usual * leastLasting <= lasting
+            ? nothing
+            : note(
+                  `The data last ${this.duration(lasting)}, and the fluid takes ${this.duration(usual)} to pass: surfaces that move stay short.`,
+              );
     }
 
     /** Both ways, but not as long back as forward. */

@@ -3,7 +3,6 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Edits } from '../../session/edits/edits.ts';
-import { timeSteps } from '../../session/out/panelSteps.ts';
 import { clockText, timeField, timeWords, withUnit } from '../../session/picture/writtenNumbers.ts';
 import { residentWords } from '../../session/time/cachedSteps.ts';
 import type { Playback } from '../../session/time/playback.ts';
@@ -15,7 +14,6 @@ import { type OwnCopyButton, titleOf } from '../base/locked.ts';
 import '../base/locked.ts';
 import { numberField } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import '../out/copyAs.ts';
 import './timeline.ts';
 
 const timeBarStyles = css`
@@ -69,12 +67,9 @@ const timeBarStyles = css`
     }
     .quiet,
     .below {
+        min-height: 18px;
         color: var(--quiet);
         font-size: 12px;
-    }
-    .below {
-        justify-content: space-between;
-        min-height: 24px;
     }
     .legend {
         display: flex;
@@ -92,15 +87,11 @@ const timeBarStyles = css`
     .legend path {
         fill: currentColor;
     }
-    wakesurf-copy-as {
-        margin: 0;
-    }
-    /* Scripts are for where there are terminals; the signs of the marks are in the timeline's own words. */
+    /* The signs of the marks are in the timeline's own words. */
     @media (max-width: 500px), (max-height: 500px) {
         #speed {
             max-width: 112px;
         }
-        wakesurf-copy-as,
         .legend [aria-hidden] {
             display: none;
         }
@@ -199,12 +190,8 @@ export class TimeBar extends ModelElement<TimeBarModel> {
                 .model=${this.model}
                 ?hidden=${none && this.model.state.times.value.length < 2}
             ></wakesurf-timeline>
-            <div class="row below">
+            <div class="below">
                 ${this.legend()}
-                <wakesurf-copy-as
-                    .model=${this.model}
-                    .calls=${() => timeSteps(this.model.state)}
-                ></wakesurf-copy-as>
             </div>
         `;
     }
