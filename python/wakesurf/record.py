@@ -1,6 +1,7 @@
 """Records of a session, which have an id and a revision, and rakes."""
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any, List, Literal, Optional, Sequence, Tuple, TypeVar
 
 import numpy as np
@@ -79,6 +80,8 @@ class Rake(Record):
         if any(each is not None for each in (line, polyline, circle, points)):
             changes["kind"], changes["points"] = one_of(line=line, polyline=polyline, circle=circle, points=points)
         result: RakeSetResult = self._change(("kind", "points", "seeds", "name", "colour"), changes, if_rev)
+        if "points" in changes:
+            warn_of_cut(changes["kind"], changes["points"], result)
         return result
 
     @property
@@ -94,6 +97,17 @@ class Rake(Record):
     @property
     def clipped(self) -> bool:
         return bool(self.record()["clipped"])
+
+
+def warn_of_cut(kind: str, asked: Sequence[Sequence[float]], answer: RakeSetResult) -> None:
+    """Warns (UserWarning) that a rake that was asked for lies outside of the domain in part, and of a line how much of it is left."""
+    if not answer["clipped"]:
+        return
+    left = ""
+    if kind in ("line", "polyline"):
+        whole, inside = (float(np.sum(np.linalg.norm(np.diff(np.array(each, dtype=float), axis=0), axis=1))) for each in (asked, answer["points"]))
+        left = f", {100 * inside / whole:.2g} % of it is left" if whole > 0 else ""
+    warnings.warn(f"the rake lies outside of the domain in part, which is cut away{left}", stacklevel=4)
 
 
 def one_of(**choices: Optional[Points]) -> Tuple[RakeKind, List[List[float]]]:

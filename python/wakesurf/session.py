@@ -22,7 +22,7 @@ from .name_mapping import error_of
 from .numbers import Share, shares
 from .plain import HasId, Json, Points
 from .progress import ProgressTarget, Report
-from .record import Rake, one_of
+from .record import Rake, one_of, warn_of_cut
 from .surface import Surface
 
 if TYPE_CHECKING:
@@ -131,7 +131,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
     def rake(self, line: Optional[Points] = None, polyline: Optional[Points] = None, circle: Optional[Points] = None,
              points: Optional[Points] = None, seeds: int = 32, name: str = "", colour: Optional[str] = None) -> Rake:
         """Makes a rake; give one of `line` (2 points), `polyline` (2 or more), `circle` (centre and two points of the
-        rim) and `points`. The part outside of the domain is cut away, see `Rake.clipped`. `colour` is "#rrggbb";
+        rim) and `points`. The part outside of the domain is cut away, with a warning; see `Rake.clipped`. `colour` is "#rrggbb";
         without, it gets one that few others have.
 
         >>> rake = session.rake(line=[(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)], seeds=24)
@@ -139,7 +139,9 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         ((2, 3), False)
         """
         kind, where = one_of(line=line, polyline=polyline, circle=circle, points=points)
-        return Rake(self, self.api.rake.set(kind=kind, points=where, seeds=seeds, name=name, colour=colour)["rake"])
+        made = self.api.rake.set(kind=kind, points=where, seeds=seeds, name=name, colour=colour)
+        warn_of_cut(kind, where, made)
+        return Rake(self, made["rake"])
 
     def rakes(self) -> List[Rake]:
         """Returns all rakes."""

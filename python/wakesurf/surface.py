@@ -313,11 +313,13 @@ def begin(session: Session, dataset: str, setting: Json) -> Surface:
     if "to" not in merged:
         merged["to"] = last_time(session, merged)
     merged.pop("rake", None)
-    rake = setting["rake"] if "rake" in setting else session.api.rake.set(**found["rake"])["rake"]
+    rakes = session.rakes() if setting["kind"] == "level" else []  # it only hangs on one
+    made = "rake" not in setting and not rakes
+    rake = setting["rake"] if "rake" in setting else rakes[0].id if rakes else session.api.rake.set(**found["rake"])["rake"]
     try:
         return session.surface(rake, **{"from_" if name == "from" else name: value for name, value in merged.items()})
     except WakesurfError:
-        if "rake" not in setting:
+        if made:
             session.api.rake.delete(rake=rake)  # nobody asked for it alone
         raise
 

@@ -10,13 +10,15 @@ let server: ServerProcess;
 let browser: Browser;
 let context: BrowserContext;
 let page: Page;
+let link: string;
 
 beforeAll(async () => {
     server = await ServerProcess.start({ store: bundledStore() });
     await server.imported();
     browser = await testBrowser();
     context = await newContext(browser, { width: 800, height: 520 });
-    page = await openPage(context, server.link);
+    link = await server.streamSession();
+    page = await openPage(context, link);
     await finalSurface(page);
     await page.getByRole('radio', { name: 'Streak' }).check();
     await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
@@ -95,7 +97,7 @@ describe('while a surface plays', () => {
     it('is the same for those who come later, and after a reload', async () => {
         await goTo(10);
         const [mine] = await bars();
-        const other = await openPage(await newContext(browser, { width: 900, height: 600 }), server.link);
+        const other = await openPage(await newContext(browser, { width: 900, height: 600 }), link);
         await finalSurface(other);
         await colourBy('vorticity', other);
         await expect.poll(() => bars(other), { timeout: 20_000 }).toEqual([mine]);

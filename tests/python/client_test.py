@@ -223,7 +223,8 @@ class ClientTest(ServerTest):
         self.assertEqual(rake.record()["seeds"], 12)
         surface.set(from_=0.5)
         self.assertEqual((surface.record()["from"], surface.record()["accuracy"]), (0.5, "exact"))
-        rake.set(polyline=[(9, 0, 0), (14, 0, 0)])
+        with self.assertWarnsRegex(UserWarning, "outside of the domain in part, which is cut away, 20 % of it is left"):
+            rake.set(polyline=[(9, 0, 0), (14, 0, 0)])
         self.assertTrue(rake.clipped)
 
     def test_goes_back_in_time_where_to_is_earlier_and_refuses_a_direction_that_says_otherwise(self):

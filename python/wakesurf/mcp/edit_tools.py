@@ -125,8 +125,11 @@ def _surface(work: Work, given: Json, call: Call) -> Answer:
         surface = _new(work, session, setting)
     work.made(surface.id)
     record = surface.record()
-    return Answer(f"Surface {surface.id}: {record['kind']} of {record['dataset']} on rake {record['rake']}, from {record['from']:.6g} to "
-                  f"{record['to']:.6g}, separation {record['separation']:.4g}. It is being computed: wait for it.", _summary(record))
+    what = f"{record['kind']} of {record['dataset']} on rake {record['rake']}"
+    if record["kind"] == "level":
+        what = f"where {record['field']} of {record['dataset']} is {record['level']:.6g}"
+    return Answer(f"Surface {surface.id}: {what}, from {record['from']:.6g} to {record['to']:.6g}, separation {record['separation']:.4g}. "
+                  "It is being computed: wait for it.", _summary(record))
 
 
 def _new(work: Work, session: Session, setting: Json) -> Surface:

@@ -38,7 +38,8 @@ def _picture(work: Work, given: Json, call: Call) -> Answer:
     size = given.get("width", 1200), given.get("height", 800)
     path = work.place.take(given["path"], (".png",), given.get("overwrite", False)) if "path" in given else None
     drawn = work.session.picture(path, size, time=given.get("time"), view=_view(given), caption=given.get("caption"),
-                                 rakes=given.get("rakes", False), background=given.get("background", "shown"))
+                                 rakes=given.get("rakes", False), background=given.get("background", "shown"),
+                                 timeout=given.get("seconds", _USUAL_WAIT))
     call.check()
     numbers: Json = {"width": size[0], "height": size[1], "bytes": len(drawn.data), "scalar_bar": not drawn.bar_left_out}
     if path is not None:
@@ -59,7 +60,7 @@ def _film(work: Work, given: Json, call: Call) -> Answer:
     def report(progress: Progress) -> None:
         call.progress(progress.share, progress.message)
 
-    made = work.session.film(path, times, size, fps=given.get("fps", 25.0), view=_view(given), progress=report)
+    made = work.session.film(path, times, size, fps=given.get("fps", 25.0), view=_view(given), progress=report, timeout=given.get("seconds", _USUAL_WAIT))
     if os.path.isdir(path):
         for each in filter(_FRAME.fullmatch, os.listdir(path)):
             if os.path.join(path, each) not in made:
@@ -78,7 +79,9 @@ def _export(work: Work, given: Json, call: Call) -> Answer:
     return Answer(f"{surface.id} is in {shown}.", {"surface": surface.id, "path": shown, "bytes": size})
 
 
-_VIEW = {"camera": _CAMERA, "look": _LOOK}
+_USUAL_WAIT = 120
+_VIEW = {"camera": _CAMERA, "look": _LOOK,
+         "seconds": {"type": "number", "minimum": 1, "maximum": 3600, "description": f"at most so long for one picture; {_USUAL_WAIT}"}}
 PICTURE = tool("picture", "Draw a picture", "A picture of the session as people see it on the page. It needs Chromium where this program runs. Ask for numbers first: "
                "they say more, and cost less.",
                {"path": {**_PATH, "description": "a .png to write as well, below the folder that this program was given"}, "width": _size("width", 1200),

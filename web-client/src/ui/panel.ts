@@ -2,7 +2,7 @@
 // sight, how far the server has come.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { type ReadonlySignal, signal } from '@preact/signals-core';
-import { flowSteps, meshSteps, shareSteps, viewSteps } from '../session/out/panelSteps.ts';
+import { surfaceSteps, meshSteps, shareSteps, viewSteps } from '../session/out/panelSteps.ts';
 import type { ScriptStep } from '../session/out/scripts.ts';
 import type { AppState } from '../state/appState.ts';
 import type { ViewState } from '../state/viewState.ts';
@@ -135,13 +135,13 @@ const tabs: readonly Tab[] = [
                 </details>
             </section>
         `,
-        steps: ({ state }) => flowSteps(state),
+        steps: ({ state }) => surfaceSteps(state),
     },
     {
         id: 'look',
         label: 'Look',
         body: (model) => html`<wakesurf-look .model=${model.look}></wakesurf-look>`,
-        steps: ({ state }) => flowSteps(state),
+        steps: ({ state }) => surfaceSteps(state),
     },
     {
         id: 'view',

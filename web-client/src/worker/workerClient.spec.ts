@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { FakeClock } from '../testing/fakes.ts';
-import { Watchdog } from './workerClient.ts';
+import { HangPauses, Watchdog } from './workerClient.ts';
 
 class Bench {
     clock = new FakeClock();
@@ -55,5 +55,22 @@ describe('Watchdog', () => {
         bench.answers = false;
         await bench.clock.pass(60_000);
         expect(bench.asked).toBe(0);
+    });
+});
+
+describe('a page of which the worker hangs again and again', () => {
+    it('waits longer each time, ten seconds at most, and as at first after a minute of peace', async () => {
+        const clock = new FakeClock();
+        const pauses = new HangPauses(clock);
+        const waited: number[] = [];
+        for (let i = 0; i < 6; ++i) {
+            waited.push(pauses.next());
+            await clock.pass(20_000);
+        }
+        expect(waited).toEqual([...waited].sort((a, b) => a - b));
+        expect(waited[1]).toBe(2 * waited[0]!);
+        expect(waited.at(-1)).toBe(10_000);
+        await clock.pass(60_000);
+        expect(pauses.next()).toBe(waited[0]);
     });
 });

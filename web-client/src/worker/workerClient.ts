@@ -33,7 +33,7 @@ export class WorkerClient {
     private readonly watchdog: Watchdog;
     private worker: Worker;
     private nextId = 1;
-    private hangs = 0;
+    private readonly pauses = new HangPauses(systemClock);
     private origin: { baseUrl: string; token: string | null; login: string | null } | null = null;
     private onEvent: (event: WorkerEvent) => void = () => undefined;
 
@@ -86,10 +86,10 @@ export class WorkerClient {
         this.worker.terminate();
     }
 
-    /** It connects and joins again, each time later than before. */
+    /** It connects and joins again. */
     private replaceWorker(): void {
         this.worker.terminate();
-        const retryInMs = firstPauseMs * 2 ** this.hangs++;
+        const retryInMs = this.pauses.next();
         const reason = 'The page was busy with one surface for too long.';
         this.onEvent({ type: 'connection', state: 'waiting', attempt: 1, retryInMs, reason });
         const lost = [...this.pending.values()];
@@ -168,6 +168,28 @@ export class WorkerClient {
 
     private post(message: MessageOf<ToWorker>): void {
         this.worker.postMessage(message);
+    }
+}
+
+const longestPauseMs = 10_000;
+/** After that, what made it hang is over. */
+const peaceMs = 60_000;
+
+/** How long a page waits before it connects again: each time twice as long as before, until nothing has hung for a minute. */
+export class HangPauses {
+    private readonly clock: Pick<Clock, 'now'>;
+    private last = Number.NEGATIVE_INFINITY;
+    private pauseMs = firstPauseMs;
+
+    constructor(clock: Pick<Clock, 'now'>) {
+        this.clock = clock;
+    }
+
+    next(): number {
+        const now = this.clock.now();
+        this.pauseMs = now - this.last > peaceMs ? firstPauseMs : Math.min(2 * this.pauseMs, longestPauseMs);
+        this.last = now;
+        return this.pauseMs;
     }
 }
 

@@ -18,6 +18,9 @@ const clearancePx = { x: 8, y: 13 };
 const halfSignPx = 3.5;
 const halfNameSignPx = 4.6;
 const halfHeightPx = 8;
+/** At the right are buttons, and at the lower left the scale of lengths. */
+const buttonsPx = 96;
+const scaleCover = { width: 150, height: 42 };
 /** Where along an axis its name is looked for a place. */
 const nameParts = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
 
@@ -56,7 +59,9 @@ export class DomainOutline implements Layer {
         this.labels.begin();
         this.placed = [];
         this.size = view.size;
-        for (const edge of labelledEdges(this.bounds, eye, project, view.size)) this.labelEdge(edge, project);
+        const { width, height } = view.size;
+        for (const edge of labelledEdges(this.bounds, eye, project, { width: width - buttonsPx, height }))
+            this.labelEdge(edge, project);
         this.labels.end();
     }
 
@@ -115,7 +120,8 @@ export class DomainOutline implements Layer {
         const place = clampedToPicture({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size, halfWidth);
         const words = { ...place, halfWidth };
         const half = { width: halfWidth, height: halfHeightPx };
-        if (this.cover !== null && isCovered(place, half, this.cover, this.size)) return false;
+        const scale = { ...scaleCover, right: this.size.width - scaleCover.width, bottom: 0 };
+        if ([this.cover, scale].some((cover) => cover !== null && isCovered(place, half, cover, this.size))) return false;
         if (this.placed.some((other) => collide(other, words))) return false;
         this.placed.push(words);
         this.labels.place(place, text, className);

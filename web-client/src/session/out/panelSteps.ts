@@ -4,13 +4,8 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { type CallStep, type MeshFile, type ScriptStep, ScriptVariable } from './scripts.ts';
 
-/** The surface that is being worked on, at the time of the picture. */
-export function flowSteps(state: AppState): ScriptStep[] {
-    return [...timeSteps(state), ...surfaceSteps(state)];
-}
-
 /** The surface that is being worked on, with what it hangs on. */
-function surfaceSteps(state: AppState): ScriptStep[] {
+export function surfaceSteps(state: AppState): ScriptStep[] {
     const record = state.surface.value;
     const second = state.rakes.value.get(record?.rake2 ?? '');
     if (record === undefined || state.rake.value === undefined) return [];
@@ -27,16 +22,6 @@ function surfaceSteps(state: AppState): ScriptStep[] {
         { method: 'surface.set', params, variable: 'surface' },
     ];
     return [{ there: record.surface, otherwise }];
-}
-
-/** When the picture is of. */
-function timeSteps(state: AppState): ScriptStep[] {
-    const clock = state.clock.value;
-    const record = state.surface.value;
-    if (clock === null || record === undefined || record.kind === 'stream') return [];
-    if (!clock.playing) return [{ method: 'time.set', params: { time: clock.time } }];
-    const { speed, loop, from, to } = clock;
-    return [{ method: 'time.play', params: { speed, loop, from: from ?? undefined, to: to ?? undefined } }];
 }
 
 /** Downloads the mesh of the surface that is being worked on. */

@@ -1,6 +1,6 @@
 // @vitest-environment happy-dom
 import { expect, it, vi } from 'vitest';
-import { flowSteps } from '../../session/out/panelSteps.ts';
+import { surfaceSteps } from '../../session/out/panelSteps.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { ShownPanel } from '../../testing/shownPanel.ts';
 import './copyAs.ts';
@@ -10,7 +10,7 @@ it('a script is shown to be copied by hand where there is no clipboard', async (
     vi.stubGlobal('navigator', {});
     const { state } = new PageBench();
     const panel = await ShownPanel.of('wakesurf-copy-as', { state });
-    Object.assign(panel.get('wakesurf-copy-as'), { calls: () => flowSteps(state) });
+    Object.assign(panel.get('wakesurf-copy-as'), { calls: () => surfaceSteps(state) });
     const dialog = panel.get<HTMLDialogElement>('dialog');
     await panel.press('Copy as curl');
     expect(dialog.open).toBe(true);
