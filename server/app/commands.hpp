@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -139,6 +140,26 @@ void add_family_options(CLI::App& command, FamilyOptions& options);
 
 /// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
 int run_family(const FamilyOptions& options);
+
+// `wakesurf slice`: fields on a plane through a dataset, as a file, without a server.
+
+/// Holds the options as given; run_slice checks the texts.
+struct SliceOptions {
+    std::string dataset;
+    std::string plane;               ///< point and normal
+    std::vector<std::string> fields; ///< empty: the speed
+    std::optional<double> time;      ///< nothing: the last
+    std::size_t samples = 512;       ///< along the longer side
+    std::string output;
+    std::uint64_t memory = 0; ///< 0: by the machine and the control group
+    std::string store;
+    command::SourceOptions taken;
+};
+
+void add_slice_options(CLI::App& command, SliceOptions& options);
+
+/// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
+int run_slice(const SliceOptions& options);
 
 // `wakesurf info`: describes a dataset without importing it.
 

@@ -155,6 +155,10 @@ int run(int argc, char** argv) {
                                 "Make a family of stream surfaces as a scalar field of a dataset",
                                 [&] { return run_family(family); }),
                        family);
+    SliceOptions slice;
+    add_slice_options(*command("slice", "Write fields on a plane through a dataset to a file",
+                               [&] { return run_slice(slice); }),
+                      slice);
     InfoOptions info;
     auto* const info_command =
         command("info", "Describe a dataset", [&] { return run_info(info); });

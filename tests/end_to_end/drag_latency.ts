@@ -75,7 +75,8 @@ else {
     const store = temporaryFolder();
     const server = await ServerProcess.start({ store: store.path });
     try {
-        await measure(server.link);
+        await server.imported();
+        await measure(await server.streamSession());
     } finally {
         await server.stop();
         store.remove();

@@ -53,7 +53,7 @@ describe('the printed link', () => {
 
 describe('the list of sessions', () => {
     it('shows who is there, what is in it, and how it looks', async () => {
-        const page = await rig.visit({ ...size, link: await rig.server.newSession('Thesis figure 4') });
+        const page = await rig.visit({ ...size, link: await rig.server.streamSession('Thesis figure 4') });
         await dragHandle(page, 1, 14, 6, 3);
         await expect.poll(async () => (await named('Thesis figure 4'))?.thumbnail, { timeout: 20_000 }).toBe(true);
         const session = (await sessionOf(page))!;

@@ -106,8 +106,9 @@ export class ServerProcess {
     }
 
     /** A link to a session that begins with the stream surface that is suggested for the first dataset. */
-    async streamSession(): Promise<string> {
-        const { session } = await this.call('session.create', {});
+    async streamSession(name?: string): Promise<string> {
+        const link = await this.newSession(name);
+        const session = new URLSearchParams(new URL(link).hash.slice(1)).get('session')!;
         const { datasets } = (await this.call('dataset.list', {})) as { datasets: { dataset: string }[] };
         const { dataset } = datasets[0]!;
         const found = (await this.call('dataset.suggest', { dataset })) as {
@@ -117,7 +118,7 @@ export class ServerProcess {
         const { rake } = await this.call('rake.set', { session, ...found.rake, name: 'Rake 1', default: true });
         const surface = found.surfaces.find(({ kind }) => kind === 'stream');
         await this.call('surface.set', { session, rake, dataset, ...surface, default: true });
-        return `${this.link}&session=${String(session)}`;
+        return link;
     }
 
     /** Ends the process and waits until its port is free. */

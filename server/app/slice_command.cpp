@@ -1,0 +1,158 @@
+#include "core/surface/measures/region.hpp"
+#include "protocol/files/slice_files.hpp"
+#include "server/app/command_output.hpp"
+#include "server/app/commands.hpp"
+#include "server/app/output_files.hpp"
+#include "server/app/progress_line.hpp"
+#include "server/app/stop_tokens.hpp"
+#include "server/base/limits.hpp"
+#include "server/base/process_account.hpp"
+#include "server/data/node_fields.hpp"
+#include "server/data/region_text.hpp"
+#include "store/command/memory_size.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <variant>
+#include <vector>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+using core::Result;
+
+namespace {
+
+/// The memory for a sample in each file, its text included, in bytes.
+constexpr std::size_t vts_bytes = 80, csv_bytes = 120;
+
+/// Says which time is taken where several are and none is chosen. Error: InvalidArgument where the data have no such time.
+Result<double> chosen_time(const SliceOptions& options, const LoadedDataset& dataset) {
+    const auto& times = dataset.info.times;
+    if (times.empty() || dataset.info.steady)
+        return options.time.value_or(times.empty() ? 0.0 : times.front());
+    if (options.time && (*options.time < times.front() || *options.time > times.back()))
+        return fail(Error::Code::InvalidArgument,
+                    fmt::format("--time: {:g} is outside the data", *options.time),
+                    fmt::format("they have {:g} to {:g}", times.front(), times.back()));
+    if (!options.time && times.size() > 1)
+        tell(stderr, "wakesurf: without --time: {:g}, the last\n", times.back());
+    return options.time.value_or(times.back());
+}
+
+/// Samples every field on the same window.
+Result<std::vector<protocol::NamedRaster>> sample_fields(const SliceOptions& options,
+                                                         const core::Plane& plane,
+                                                         double time,
+                                                         const LoadedDataset& dataset,
+                                                         const std::stop_token& stop) {
+    std::vector<std::string> names = options.fields;
+    if (names.empty())
+        names = {dataset.info.velocity};
+    std::vector<protocol::NamedRaster> out;
+    for (const std::string& name : names) {
+        const auto field = find_node_field(name, dataset.info, dataset.scalars.get());
+        if (!field)
+            return tl::unexpected(field.error());
+        const ElapsedLine progress("sampling " + name);
+        auto raster = core::sample_slice(
+            {plane, sampled(*field, dataset.scalars.get()), time, options.samples}, *dataset.flow,
+            stop);
+        if (!raster)
+            return tl::unexpected(raster.error());
+        out.push_back({name, std::move(*raster)});
+    }
+    return out;
+}
+
+Result<void> make(const SliceOptions& options, const std::stop_token& stop) {
+    const std::filesystem::path file = options.output;
+    const bool csv = file.extension() == ".csv";
+    if (!csv && file.extension() != ".vts")
+        return fail(Error::Code::InvalidArgument, "-o: a slice is written as .vts or .csv",
+                    ".vts is for ParaView, .csv a table");
+    const auto region = parse_region("plane:" + options.plane, "--plane");
+    if (!region)
+        return fail(Error::Code::InvalidArgument,
+                    "--plane: '" + options.plane + "' is no point and normal",
+                    "as in --plane 0,0,3:0,0,1");
+    const auto& plane = std::get<core::Plane>(*region);
+    const ProcessAccount process(options.memory);
+    const auto dataset =
+        open_for_command(options.dataset, options.store, options.taken, process.account(), stop);
+    if (!dataset)
+        return tl::unexpected(dataset.error());
+    const auto time = chosen_time(options, *dataset);
+    if (!time)
+        return tl::unexpected(time.error());
+    const auto window = core::plane_window(plane, dataset->flow->domain());
+    if (!window)
+        return tl::unexpected(window.error());
+    const auto [columns, rows] = core::raster_size(*window, options.samples);
+    core::MemoryAccount::Share share = process.account().open(core::MemoryUse::Downloads);
+    const std::size_t bytes =
+        std::max<std::size_t>(1, options.fields.size()) * core::slice_memory(columns, rows) +
+        columns * rows * (csv ? csv_bytes : vts_bytes);
+    if (!share.grow_to(bytes))
+        return tl::unexpected(process.account().refusal("this slice", bytes));
+    const auto fields = sample_fields(options, plane, *time, *dataset, stop);
+    if (!fields)
+        return tl::unexpected(fields.error());
+    return write_whole_file(file, csv ? protocol::slice_csv(*fields)
+                                      : protocol::slice_vts(*fields, *time))
+        .map([&] {
+            for (const protocol::NamedRaster& each : *fields) {
+                const auto& range = each.raster.range;
+                tell("{}: {}, t = {:g}, {} x {} samples, {}\n", options.output, each.name, *time,
+                     columns, rows,
+                     range ? fmt::format("{:.4g} to {:.4g}", (*range)[0], (*range)[1])
+                           : "none with a value");
+            }
+        });
+}
+
+} // namespace
+
+void add_slice_options(CLI::App& command, SliceOptions& options) {
+    command
+        .add_option("DATASET", options.dataset,
+                    "A file or folder of simulation results, a store or a Zarr or the https:// "
+                    "address of one, or flow:NAME[?k=v,...]")
+        ->required();
+    command
+        .add_option("--plane", options.plane, "x,y,z:nx,ny,nz: a point of the plane and its normal")
+        ->required();
+    command
+        .add_option("--fields", options.fields,
+                    "Fields to sample, a,b: stored scalars, vorticity, q_criterion, components as "
+                    "vorticity_z (default: the speed)")
+        ->delimiter(',');
+    command.add_option("--time", options.time, "Time of the slice (default: the last)")
+        ->check(CLI::Number);
+    command.add_option("--samples", options.samples, "Samples along the longer side")
+        ->check(CLI::Range(std::size_t{1}, limits::slice_samples))
+        ->capture_default_str();
+    command.add_option("-o,--output", options.output, "File to write: .vts or .csv")->required();
+    command
+        .add_option(
+            "--memory", options.memory,
+            "Memory for the process (default: 60 % of the memory of the machine or control group)")
+        ->transform(command::as_memory_size());
+    command.add_option("--store", options.store,
+                       "Folder for imported data (default: ~/.cache/wakesurf)");
+    command::add_source_options(command, options.taken);
+}
+
+int run_slice(const SliceOptions& options) {
+    const StopOnSignal signals;
+    const auto done = make(options, signals.token());
+    if (done)
+        return 0;
+    const int status = report_failure(done.error());
+    return done.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+}
+
+} // namespace wakesurf::server
