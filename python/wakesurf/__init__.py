@@ -35,6 +35,7 @@ from .generated.version import VERSION as __version__
 from .mesh import Mesh
 from .progress import Progress
 from .record import Rake
+from .series import Series
 from .serve import Server, serve
 from .session import Session
 from .slice import Slice
@@ -43,6 +44,6 @@ from .view import Camera, Look, SurfaceLook
 
 __all__ = ["BrowserMissing", "Camera", "Cancelled", "Client", "Connection", "DatasetError", "InvalidParameters", "InvalidPoints", "InvalidRequest", "Leased", "Look",
            "Mesh", "MethodNotFound", "MissingParameter", "NoSuchArray", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
-           "PictureFailed", "Progress", "Rake", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Slice", "Stale",
+           "PictureFailed", "Progress", "Rake", "Series", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Slice", "Stale",
            "Surface", "SurfaceLook", "Unauthenticated", "UnknownParameter", "Unreachable", "Update", "WaitTimeout",
            "WakesurfError", "__version__", "notifications", "numbers", "records", "serve", "write_series"]

@@ -22,6 +22,7 @@ from .mesh import Array
 from .names import Helpful, named
 from .name_mapping import error_of
 from .plain import Json, Points, given, plain, slices
+from .series import Series, columns_of, fields_of, points_along
 from .session import Session
 from .slice import Slice
 
@@ -218,6 +219,47 @@ class Client(Helpful):
         if status != 200:
             raise error_of(json.loads(body)["error"])
         return Slice.from_bytes(body, field)
+
+    @named
+    def profile(self, dataset: str, line: Points, fields: Sequence[str] = ("speed",), time: Optional[float] = None, *,
+                samples: int = 401) -> Series:
+        """Returns values at `samples` places evenly along a line, given by its ends or more points, or by a rake's `points`.
+        `fields`: "speed", "velocity_x" and so on, the velocity by its name, stored scalars. `time`: left out, the first.
+        Error: as `probe`.
+
+        >>> along = client.profile("tornado", [(0.2, 0.5, 0.5), (0.8, 0.5, 0.5)], ["speed"], samples=3)
+        >>> list(along.columns), along["distance"].round(6)
+        (['distance', 'x', 'y', 'z', 'time', 'speed'], array([0. , 0.3, 0.6]))
+        """
+        about = self.describe(dataset)
+        at = float((about["times"] or [0.0])[0] if time is None else time)
+        points, distances = points_along(plain(list(line), "line"), samples)
+        places = {"distance": distances, **dict(zip("xyz", points.T)), "time": np.full(samples, at)}
+        return self._series(about, places, fields, self.probe(dataset, points, at, fields_of(about, fields)))
+
+    @named
+    def history(self, dataset: str, point: Sequence[float], fields: Sequence[str] = ("speed",),
+                times: Optional[Sequence[float]] = None) -> Series:
+        """Returns values at a point over time: at each stored time, or at `times`. `fields` as in `profile`. One call is made for
+        each time. Error: as `probe`.
+
+        >>> over_time = client.history("tornado", (0.5, 0.5, 0.5), ["speed", "velocity_z"], times=[0, 1, 2])
+        >>> list(over_time.columns), len(over_time)
+        (['time', 'x', 'y', 'z', 'speed', 'velocity_z'], 3)
+        """
+        about = self.describe(dataset)
+        at = np.asarray(about["times"] if times is None else plain(list(times), "times"), dtype=float)
+        place = np.asarray(plain(list(point), "point"), dtype=float)
+        asked = fields_of(about, fields)
+        moments = [self.probe(dataset, [place], float(time), asked) for time in at]
+        found = {name: np.concatenate([each[name] for each in moments]) for name in moments[0]} if moments else {}
+        return self._series(about, {"time": at, **{name: np.full(len(at), x) for name, x in zip("xyz", place)}}, fields, found)
+
+    def _series(self, about: Dataset, places: Dict[str, Array], fields: Sequence[str], found: Dict[str, Array]) -> Series:
+        columns, units = columns_of(about, fields, found)
+        lengths = {name: about.get("lengthUnit", "") for name in ("distance", "x", "y", "z")}
+        known = {**lengths, "time": about.get("timeUnit", ""), **units}
+        return Series({**places, **columns}, {name: unit for name, unit in known.items() if unit and name in {**places, **columns}})
 
     def _velocity(self, dataset: str) -> str:
         """Tells vectors by the dataset: the values of a part that lies outside as a whole do not show it."""

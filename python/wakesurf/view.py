@@ -35,6 +35,8 @@ class SurfaceLook(TypedDict, total=False):
     map: Literal["viridis", "cividis", "inferno", "plasma", "coolToWarm", "grey", "turbo"]
     invert: bool
     log: bool
+    root: bool  # colours follow the root of the values
+    bands: int  # of one colour each, 2 to 32; 0: none
     range: Sequence[float]  # values of the first and the last colour; left out: those of the surface
     range_of: Literal["surface", "data"]  # whose range is taken
     centre: float  # the colours are symmetric round this value

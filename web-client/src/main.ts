@@ -55,6 +55,7 @@ import { App } from './ui/app.ts';
 import { listenForPresses, listenForUndoKeys } from './ui/base/keyboard.ts';
 import { recallPanel } from './ui/view/room.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
+import { loadPlots } from './ui/plots/loadPlots.ts';
 import { loadSlices } from './ui/slices/loadSlices.ts';
 import { WorkerClient } from './worker/workerClient.ts';
 
@@ -230,6 +231,7 @@ function start(app: App): void {
         },
         note: { view, calls },
         timeBar: { state, view, playback, edits, ownCopy },
+        plots: loadPlots({ state, view, worker, mesh, time: () => playback.time.value }, playback),
     });
     void app.updateComplete.then(() => {
         const bar = findBar();

@@ -64,7 +64,7 @@ export function agreement(
 ): number {
     const table = colourTable(map);
     const hues = seen.flatMap((vertex) => {
-        const fraction = fractionOf(valueOf(vertex), range, log);
+        const fraction = fractionOf(valueOf(vertex), range, log ? 'log' : 'even');
         const i = 4 * Math.round((invert ? 1 - fraction : fraction) * 255);
         const [wanted, is] = [hueOf([...table.subarray(i, i + 3)]), hueOf(vertex.pixel)];
         return wanted.chroma > 40 && is.chroma > 25 ? [Math.abs(wanted.hue - is.hue)] : [];

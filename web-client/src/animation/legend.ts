@@ -1,6 +1,6 @@
 // What the colours mean: a choice of values, a bar, numbers.
 import { placeNumbers, resolutionOf } from '../scene/base/numbers.ts';
-import { colourTable, drawnRange, tableSize } from '../scene/surface/colourMap.ts';
+import { colourTable, drawnRange, scaleOf, tableSize } from '../scene/surface/colourMap.ts';
 import type { ColourChoice } from './animationLook.ts';
 
 export class Legend {
@@ -28,13 +28,13 @@ export class Legend {
         });
     }
 
-    show({ style: { source, range: wanted, map, inverted, logarithmic, centre } }: ColourChoice): void {
+    show({ style: { source, range: wanted, map, inverted, centre, ...style } }: ColourChoice): void {
         this.bar.hidden = this.numbers.hidden = source === 'constant';
-        const range = drawnRange(wanted ?? [0, 1], logarithmic, centre);
+        const range = drawnRange(wanted ?? [0, 1], scaleOf(style), centre);
         const [low, high] = placeNumbers(range, resolutionOf(range[0], range[1]));
         this.low.textContent = low ?? '';
         this.high.textContent = high ?? '';
-        const pixels = new Uint8ClampedArray(colourTable(map, inverted).buffer);
+        const pixels = new Uint8ClampedArray(colourTable(map, inverted, style.bands).buffer);
         this.bar.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
     }
 }

@@ -7,6 +7,8 @@ const other: SurfaceLook = {
     map: 'coolToWarm',
     invert: true,
     log: true,
+    root: true,
+    bands: 8,
     range: [-1, 2.5],
     rangeOf: 'data',
     centre: 0,

@@ -28,6 +28,10 @@ export interface SurfaceLook {
     map: ColourMap;
     invert: boolean;
     log: boolean;
+    /** Colours follow the root of the values' size. */
+    root: boolean;
+    /** Of one colour each; 0: none. */
+    bands: number;
     /** Locked; null: as `rangeOf` says. */
     range: Pair | null;
     rangeOf: RangeOf;
@@ -73,6 +77,8 @@ export const usualLook: SurfaceLook = {
     map: 'viridis',
     invert: false,
     log: false,
+    root: false,
+    bands: 0,
     range: null,
     rangeOf: 'surface',
     centre: null,
@@ -121,6 +127,8 @@ const checks: Record<keyof SurfaceLook, (value: unknown) => boolean> = {
     map: isOneOf(colourMaps),
     invert: isFlag,
     log: isFlag,
+    root: isFlag,
+    bands: (value) => value === 0 || (isNumber(value) && Number.isInteger(value) && value >= 2 && value <= 32),
     range: isSpan,
     rangeOf: isOneOf(rangesOf),
     centre: (value) => value === null || isNumber(value),

@@ -12,6 +12,10 @@ export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint'
 
 export type Theme = 'system' | 'dark' | 'light';
 
+/** What is plotted below the picture: values along the active rake or along the measured line at the time of the picture, over time where the
+ *  probe is held, or numbers of the active surface over its time. */
+export type PlotOf = 'rake' | 'line' | 'point' | 'surface';
+
 /** What the probe has found. */
 export interface ProbeReading {
     point: Vec3;
@@ -62,6 +66,12 @@ export class ViewState {
     readonly probe = signal<ProbeReading | null>(null);
     /** Where the probe is by now: the newest place, ahead of the reading while that is awaited. */
     readonly probePlace = signal<Vec3 | null>(null);
+    /** Where the probe was put last by a click or by numbers, and stays. */
+    readonly probeHeld = signal<Vec3 | null>(null);
+    /** Null: nothing is plotted. */
+    readonly plot = signal<PlotOf | null>(null);
+    /** What the pointer is at in the plot. */
+    readonly plotPlace = signal<Vec3 | null>(null);
     /** The pointer of the probe is where nothing can be seen. */
     readonly probeMissed = signal(false);
     /** What a tool says beside the pointer, in pixels of the canvas. */

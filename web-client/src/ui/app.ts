@@ -1,7 +1,7 @@
 // The page: the picture with its overlays, the panel beside it, the time below; or, where nothing
 // can be shown, the reason in words.
-import { css, html, type TemplateResult } from 'lit';
-import { signal } from '@preact/signals-core';
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { type ReadonlySignal, signal } from '@preact/signals-core';
 import type { AppState } from '../state/appState.ts';
 import './status/banner.ts';
 import type { BannerModel } from './status/banner.ts';
@@ -14,6 +14,7 @@ import { SignalElement } from './base/signalElement.ts';
 import { leaveKeys } from './base/keyboard.ts';
 import './share/notesPanel.ts';
 import type { NoteModel } from './share/notesPanel.ts';
+import type { PlotDockModel } from './plots/plotDock.ts';
 import './time/timeBar.ts';
 import type { TimeBarModel } from './time/timeBar.ts';
 import './view/viewButtons.ts';
@@ -35,6 +36,8 @@ export interface PageModel {
     panel: PanelModel;
     note: NoteModel;
     timeBar: TimeBarModel;
+    /** Null: nothing is plotted. */
+    plots: ReadonlySignal<PlotDockModel | null>;
 }
 
 export class App extends SignalElement {
@@ -50,7 +53,7 @@ export class App extends SignalElement {
         }
         .layout {
             display: grid;
-            grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 304px;
+            grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr) 304px;
             height: 100%;
         }
         main {
@@ -165,15 +168,19 @@ export class App extends SignalElement {
             top: 12px;
         }
         wakesurf-panel {
-            grid-row: 1 / 3;
+            grid-row: 1 / 4;
             grid-column: 2;
         }
-        wakesurf-time-bar {
+        wakesurf-plot-dock {
             grid-row: 2;
             grid-column: 1;
         }
+        wakesurf-time-bar {
+            grid-row: 3;
+            grid-column: 1;
+        }
         .folded {
-            grid-template: minmax(0, 1fr) auto / minmax(0, 1fr) 0;
+            grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr) 0;
         }
         .folded wakesurf-panel {
             display: none;
@@ -231,16 +238,19 @@ export class App extends SignalElement {
         }
         @media (max-width: 760px) {
             .layout {
-                grid-template: minmax(42vh, 1fr) auto minmax(0, 42vh) / minmax(0, 1fr);
+                grid-template: minmax(42vh, 1fr) auto auto minmax(0, 42vh) / minmax(0, 1fr);
             }
-            .folded {
-                grid-template: minmax(0, 1fr) auto 0 / minmax(0, 1fr);
+            .layout.plotting {
+                grid-template: minmax(30vh, 1fr) auto auto minmax(0, 30vh) / minmax(0, 1fr);
+            }
+            .layout.folded {
+                grid-template: minmax(0, 1fr) auto auto 0 / minmax(0, 1fr);
             }
             wakesurf-tour {
                 width: calc(100vw - 16px);
             }
             wakesurf-panel {
-                grid-row: 3;
+                grid-row: 4;
                 grid-column: 1;
             }
             wakesurf-banner {
@@ -300,7 +310,8 @@ export class App extends SignalElement {
             </main>`;
         }
         if (model === null) return html`<main></main>`;
-        return html`<div class=${model.viewButtons.view.panelFolded.value ? 'layout folded' : 'layout'} @number-typed=${this.numberTyped} @click=${this.clicked}>
+        const plots = model.plots.value;
+        return html`<div class=${`layout${model.viewButtons.view.panelFolded.value ? ' folded' : ''}${plots === null ? '' : ' plotting'}`} @number-typed=${this.numberTyped} @click=${this.clicked}>
             <main>
                 ${this.canvas} ${this.labels}
                 <wakesurf-scalar-bar .model=${model.scalarBar} @pointerdown=${this.handOn}></wakesurf-scalar-bar>
@@ -309,6 +320,7 @@ export class App extends SignalElement {
                 <wakesurf-tour .model=${model.tour}></wakesurf-tour>
                 <wakesurf-banner .model=${model.banner}></wakesurf-banner>
             </main>
+            ${plots === null ? nothing : html`<wakesurf-plot-dock role="region" aria-label="Plot" .model=${plots}></wakesurf-plot-dock>`}
             <wakesurf-time-bar role="region" aria-label="Time of the data" .model=${model.timeBar}></wakesurf-time-bar>
             <wakesurf-panel role="complementary" aria-label="Settings" .model=${model.panel}></wakesurf-panel>
             <wakesurf-note-dialog .model=${model.note}></wakesurf-note-dialog>

@@ -1,11 +1,14 @@
 import { describe, expect, it } from 'vitest';
 import {
+    banded,
     type ColourMapName,
     colourMapNames,
     colourTable,
     colourTicks,
     drawnRange,
     fractionOf,
+    tableSize,
+    valueAt,
     steadyRange,
 } from './colourMap.ts';
 
@@ -71,23 +74,49 @@ describe('colourTable', () => {
     });
 });
 
+it('a root keeps the sign, and is undone by the value at a place', () => {
+    const range = [-4, 16] as const;
+    expect([-4, -1, 0, 4, 16, 99].map((v) => fractionOf(v, range, 'root'))).toEqual([0, 1 / 6, 1 / 3, 2 / 3, 1, 1]);
+    for (const scale of ['even', 'root'] as const) {
+        expect(valueAt(fractionOf(-1, range, scale), range, scale)).toBeCloseTo(-1, 12);
+    }
+    expect(valueAt(fractionOf(5, [1, 100], 'log'), [1, 100], 'log')).toBeCloseTo(5, 12);
+});
+
+it('the numbers of a root are apart where they stand', () => {
+    const at = colourTicks(0, 1.8, 'root', 5).ticks.map(({ value }) => fractionOf(value, [0, 1.8], 'root'));
+    expect(at[0]).toBe(0);
+    expect(at.length).toBeGreaterThan(3);
+    for (let i = 1; i < at.length; ++i) expect(at[i]! - at[i - 1]!).toBeGreaterThan(0.15);
+});
+
+it('bands have one colour each, from the first of the map to the last, and are equally wide', () => {
+    const [whole, table] = [colourTable('viridis'), colourTable('viridis', false, 4)];
+    const seen = Array.from({ length: tableSize }, (_, i) => table.slice(4 * i, 4 * i + 3).join());
+    expect(new Set(seen).size).toBe(4);
+    expect([seen[0], seen[255]]).toEqual([whole.slice(0, 3).join(), whole.slice(4 * 255, 4 * 255 + 3).join()]);
+    expect(seen.map((each, i) => (each === seen[i - 1] ? 0 : i)).filter((i) => i > 0)).toEqual([64, 128, 192]);
+    expect([0, 0.24, 0.26, 1].map((at) => banded(at, 4))).toEqual([0, 0, 1 / 3, 1]);
+    expect(banded(0.3, 0)).toBe(0.3);
+});
+
 describe('drawnRange', () => {
     it('is what is asked for, and never empty', () => {
-        expect(drawnRange([1, 3], false, null)).toEqual([1, 3]);
-        expect(drawnRange([2, 2], false, null)).toEqual([2, 4]);
-        expect(drawnRange([0, 0], false, null)).toEqual([0, 1]);
-        expect(drawnRange([Infinity, -Infinity], false, null)).toEqual([0, 1]);
+        expect(drawnRange([1, 3], 'even', null)).toEqual([1, 3]);
+        expect(drawnRange([2, 2], 'even', null)).toEqual([2, 4]);
+        expect(drawnRange([0, 0], 'even', null)).toEqual([0, 1]);
+        expect(drawnRange([Infinity, -Infinity], 'even', null)).toEqual([0, 1]);
     });
 
     it('is symmetric round a centre and holds all that it held', () => {
-        expect(drawnRange([-1, 3], false, 0)).toEqual([-3, 3]);
-        expect(drawnRange([5, 6], false, 2)).toEqual([-2, 6]);
+        expect(drawnRange([-1, 3], 'even', 0)).toEqual([-3, 3]);
+        expect(drawnRange([5, 6], 'even', 2)).toEqual([-2, 6]);
     });
 
     it('is positive where it is for logarithms', () => {
-        expect(drawnRange([0.1, 10], true, null)).toEqual([0.1, 10]);
-        expect(drawnRange([0, 10], true, null)).toEqual([0.01, 10]);
-        expect(drawnRange([-5, -1], true, null)).toEqual([0.001, 1]);
+        expect(drawnRange([0.1, 10], 'log', null)).toEqual([0.1, 10]);
+        expect(drawnRange([0, 10], 'log', null)).toEqual([0.01, 10]);
+        expect(drawnRange([-5, -1], 'log', null)).toEqual([0.001, 1]);
     });
 });
 
@@ -97,7 +126,7 @@ describe('fractionOf', () => {
     });
 
     it('is linear in the logarithm where that is asked for', () => {
-        const fractions = [0, 0.01, 0.1, 1, 100, 1e4, -3].map((v) => fractionOf(v, [0.01, 100], true));
+        const fractions = [0, 0.01, 0.1, 1, 100, 1e4, -3].map((v) => fractionOf(v, [0.01, 100], 'log'));
         [0, 0, 0.25, 0.5, 1, 1, 0].forEach((expected, i) => expect(fractions[i]).toBeCloseTo(expected, 12));
     });
 
@@ -132,7 +161,7 @@ describe('the range of a surface', () => {
 });
 
 const values = (low: number, high: number, log: boolean): number[] =>
-    colourTicks(low, high, log, 5).ticks.map(({ value }) => Number(value.toPrecision(6)) + 0);
+    colourTicks(low, high, log ? 'log' : 'even', 5).ticks.map(({ value }) => Number(value.toPrecision(6)) + 0);
 
 describe('colourTicks', () => {
     it('are even where the range is', () => {

@@ -145,6 +145,33 @@ export const colourMapNames = ['viridis', 'cividis', 'inferno', 'plasma', 'coolT
 export type ColourMapName = (typeof colourMapNames)[number];
 export type Range = readonly [number, number];
 
+/** How colours follow values: evenly; by the square root of their size, with their sign, so that what is small is told apart; or by the
+ *  logarithm. */
+export type ColourScale = 'even' | 'root' | 'log';
+
+export function scaleOf({ logarithmic, root }: { logarithmic: boolean; root: boolean }): ColourScale {
+    return logarithmic ? 'log' : root ? 'root' : 'even';
+}
+
+/** What colours are even in. */
+export function scaled(value: number, scale: ColourScale): number {
+    if (scale === 'even') return value;
+    return scale === 'log' ? Math.log(value) : Math.sign(value) * Math.sqrt(Math.abs(value));
+}
+
+/** More could not be told from none. */
+export const mostBands = 32;
+
+export function isBands(value: unknown): boolean {
+    return value === 0 || (Number.isInteger(value) && (value as number) >= 2 && (value as number) <= mostBands);
+}
+
+/** The place in the map of what lies at a place, 0 .. 1, in the range: the same all over a band, from the first colour to the last. The
+ *  shader has the same. @param bands  0: none */
+export function banded(fraction: number, bands: number): number {
+    return bands < 2 ? fraction : Math.min(Math.floor(fraction * bands), bands - 1) / (bands - 1);
+}
+
 type Rgb = [number, number, number];
 
 /** What a logarithmic range reaches down to where it would begin at 0 or below, as a part of its upper
@@ -175,11 +202,12 @@ const turboCoefficients = [
     [27.2, 3211.1, -15327.97, 27814, -22569.18, 6838.66],
 ];
 
-/** 256 x RGBA, 8 bits each, sRGB. */
-export function colourTable(name: ColourMapName = 'viridis', inverted = false): Uint8Array<ArrayBuffer> {
+/** 256 x RGBA, 8 bits each, sRGB. @param bands  of one colour each; 0: none */
+export function colourTable(name: ColourMapName = 'viridis', inverted = false, bands = 0): Uint8Array<ArrayBuffer> {
     const table = new Uint8Array(tableSize * 4);
     for (let i = 0; i < tableSize; ++i) {
-        const from = inverted ? tableSize - 1 - i : i;
+        const seen = bands < 2 ? i : Math.round(banded((i + 0.5) / tableSize, bands) * (tableSize - 1));
+        const from = inverted ? tableSize - 1 - seen : seen;
         table.set([...coloursOf[name](from), 255], 4 * i);
     }
     return table;
@@ -197,7 +225,8 @@ function polynomials(i: number, coefficients: readonly (readonly number[])[]): R
 }
 
 /** The range that is drawn: made symmetric, or fit for logarithms, and never empty. */
-export function drawnRange([low, high]: Range, logarithmic: boolean, centre: number | null): [number, number] {
+export function drawnRange([low, high]: Range, scale: ColourScale, centre: number | null): [number, number] {
+    const logarithmic = scale === 'log';
     if (!Number.isFinite(low) || !Number.isFinite(high)) return logarithmic ? [0.1, 1] : [0, 1];
     if (logarithmic) {
         const top = high > 0 ? high : 1;
@@ -213,11 +242,19 @@ export function drawnRange([low, high]: Range, logarithmic: boolean, centre: num
 
 /** Position 0 .. 1 of a value in a range; values outside stick to the ends, and those without a logarithm to
  *  the lower one. */
-export function fractionOf(value: number, [low, high]: Range, logarithmic = false): number {
+export function fractionOf(value: number, [low, high]: Range, scale: ColourScale = 'even'): number {
     if (!(high > low)) return 0;
-    const scaled = (each: number): number => (logarithmic ? Math.log(each) : each);
-    if (logarithmic && !(value > 0)) return 0;
-    return Math.min(1, Math.max(0, (scaled(value) - scaled(low)) / (scaled(high) - scaled(low))));
+    if (scale === 'log' && !(value > 0)) return 0;
+    const [at, from, to] = [value, low, high].map((each) => scaled(each, scale)) as [number, number, number];
+    return Math.min(1, Math.max(0, (at - from) / (to - from)));
+}
+
+/** The value at a place in a range: fractionOf the other way round. */
+export function valueAt(fraction: number, [low, high]: Range, scale: ColourScale): number {
+    const [from, to] = [scaled(low, scale), scaled(high, scale)];
+    const at = from + fraction * (to - from);
+    if (scale === 'even') return at;
+    return scale === 'log' ? Math.exp(at) : Math.sign(at) * at * at;
 }
 
 const parts = 10;
@@ -237,8 +274,9 @@ export function steadyRange(least: number, greatest: number): [number, number] {
 const steps: readonly (readonly number[])[] = [[1, 2, 5], [1, 3], [1]];
 
 /** Round numbers, evenly or by powers of ten. */
-export function colourTicks(low: number, high: number, logarithmic: boolean, wanted: number): Ticks {
-    if (!logarithmic) return niceTicks(low, high, wanted);
+export function colourTicks(low: number, high: number, scale: ColourScale, wanted: number): Ticks {
+    if (scale === 'root') return spreadTicks(low, high, wanted);
+    if (scale === 'even') return niceTicks(low, high, wanted);
     if (!(low > 0) || !(high > low)) return { ticks: [], shared: '' };
     const [first, last] = [Math.floor(Math.log10(low)), Math.ceil(Math.log10(high))];
     // Less than a power of ten: as if it were even.
@@ -255,4 +293,16 @@ export function colourTicks(low: number, high: number, logarithmic: boolean, wan
         return ticks;
     };
     return { ticks: steps.map(ticksOf).find((ticks) => ticks.length <= wanted + 1) ?? ticksOf([1]), shared: '' };
+}
+
+/** Round numbers, of which those near zero, where a root spreads most, stay and others go where they would be too near. */
+function spreadTicks(low: number, high: number, wanted: number): Ticks {
+    const { ticks, shared } = niceTicks(low, high, 2 * wanted);
+    const kept: Tick[] = [];
+    const apart = (a: Tick, b: Tick): number =>
+        Math.abs(fractionOf(a.value, [low, high], 'root') - fractionOf(b.value, [low, high], 'root'));
+    for (const tick of [...ticks].sort((a, b) => Math.abs(a.value) - Math.abs(b.value))) {
+        if (kept.every((each) => apart(each, tick) > 0.8 / wanted)) kept.push(tick);
+    }
+    return { ticks: kept.sort((a, b) => a.value - b.value), shared };
 }

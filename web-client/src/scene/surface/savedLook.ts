@@ -1,10 +1,11 @@
 // What of a style goes into an animation: how the surface is coloured and drawn, without what belongs to the session or to the page.
 // Whoever reads it cannot know who wrote it: what is not of the right type is as usual.
-import { colourMapNames } from './colourMap.ts';
+import { colourMapNames, isBands } from './colourMap.ts';
 import { plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
 
 const saved = [
-    ...(['source', 'scalar', 'colour', 'map', 'inverted', 'logarithmic', 'range', 'centre', 'backSide'] as const),
+    ...(['source', 'scalar', 'colour', 'map', 'inverted', 'logarithmic', 'root', 'bands', 'range'] as const),
+    ...(['centre', 'backSide'] as const),
     ...(['points', 'opacity', 'angleOpacity', 'smoke', 'fixedGrid', 'areaPerSeed', 'silhouettes', 'hatchAbove'] as const),
     ...(['lines', 'pieces', 'pieceEvery', 'pieceWidth', 'rakeCloses', 'density', 'texture', 'sWindow', 'ageWindow'] as const),
 ];
@@ -12,7 +13,7 @@ type Saved = (typeof saved)[number];
 export type SavedLook = Partial<Pick<SurfaceStyle, Saved>>;
 
 /** Those that belong to the value that is shown in colours. */
-const colouring = ['source', 'scalar', 'colour', 'map', 'inverted', 'logarithmic', 'range', 'centre'] as const;
+const colouring = ['source', 'scalar', 'colour', 'map', 'inverted', 'logarithmic', 'root', 'bands', 'range', 'centre'] as const;
 
 /** What differs from the plain style. A range that nobody has chosen is left out: an animation has its own. */
 export function savedLook(style: SurfaceStyle): SavedLook {
@@ -41,6 +42,7 @@ export function withoutColours(look: SavedLook): SavedLook {
 function fits(name: Saved, value: unknown): boolean {
     if (name === 'map') return (colourMapNames as readonly unknown[]).includes(value);
     if (name === 'colour') return typeof value === 'string' && /^#[0-9a-f]{6}$/i.test(value);
+    if (name === 'bands') return isBands(value);
     if (name === 'centre' || name === 'hatchAbove') return typeof value === 'number';
     if (name === 'range' || name === 'sWindow' || name === 'ageWindow') {
         return Array.isArray(value) && value.length === 2 && value.every((each) => typeof each === 'number');

@@ -11,6 +11,8 @@ import { Splats } from './splats.ts';
 import { SurfaceMesh, type SurfaceVertex } from './surfaceMesh.ts';
 import { noPlanes, sharedUniforms, SurfaceMaterials, SurfaceTextures } from './surfaceMaterial.ts';
 import { isPlain, isTransparent, plainStyle, type SurfaceStyle } from './surfaceStyle.ts';
+import { type WeighedValues, weighedValues } from './weighedValues.ts';
+import type { SceneCamera } from '../base/view.ts';
 import { Transparency } from './transparency.ts';
 
 /** How many times its length a mask that was brought may be away. */
@@ -167,6 +169,13 @@ export class SurfaceLayer {
         return { colours: materials.range, t: mesh.tRange, s: [0, 1], age: materials.ages, style, lacks };
     }
 
+    /** What a surface is coloured by; null: one colour. @param camera  leaves out what is beside its picture */
+    valuesOf(id: string, camera: SceneCamera | null): WeighedValues | null {
+        const surface = this.surfaces.get(id);
+        if (surface === undefined || surface.style.source === 'constant') return null;
+        return weighedValues(surface.mesh, surface.style, camera);
+    }
+
     /** Reveals or hides what the brush touches of the surfaces that are painted. */
     paint(print: BrushPrint, reveal: boolean): void {
         ++this.strokes;
@@ -284,8 +293,8 @@ export class SurfaceLayer {
 }
 
 function coloursOf(style: SurfaceStyle): Partial<SurfaceStyle> {
-    const { source, scalar, map, range, rangeOf, beyond, centre, inverted, logarithmic } = style;
-    return { source, scalar, map, range, rangeOf, beyond, centre, inverted, logarithmic };
+    const { source, scalar, map, range, rangeOf, beyond, centre, inverted, logarithmic, root, bands } = style;
+    return { source, scalar, map, range, rangeOf, beyond, centre, inverted, logarithmic, root, bands };
 }
 
 function setPlanes(vectors: Vector4[], planes: Planes): void {

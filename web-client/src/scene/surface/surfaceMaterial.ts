@@ -23,7 +23,7 @@ import {
     Vector4,
     ZeroFactor,
 } from 'three';
-import { type ColourMapName, colourTable, drawnRange, steadyRange, tableSize } from './colourMap.ts';
+import { type ColourMapName, colourTable, drawnRange, scaled, scaleOf, steadyRange, tableSize } from './colourMap.ts';
 import { directions, noiseSize, smearedNoise } from './flowTexture.ts';
 import { coarsestPower, nearestApart } from './patternShader.ts';
 import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShader.ts';
@@ -81,6 +81,8 @@ function ownUniforms(textures: SurfaceTextures) {
         range: { value: new Vector2(0, 1) },
         inverted: { value: false },
         logarithmic: { value: false },
+        root: { value: false },
+        bands: { value: 0 },
         backSide: { value: 1 },
         silhouettes: { value: false },
         hatchAbove: { value: far },
@@ -201,15 +203,18 @@ export class SurfaceMaterials {
         own.colours.value = this.textures.colours(style.map);
         own.constant.value.set(style.colour);
         own.inverted.value = style.inverted;
-        own.logarithmic.value = style.logarithmic;
+        const scale = scaleOf(style);
+        own.logarithmic.value = scale === 'log';
+        own.root.value = scale === 'root';
+        own.bands.value = style.bands;
         const seen = { constant: [0, 1], scalar: facts.scalarRange, s: [0, 1], age: ages }[style.source];
         const [least, greatest] = [seen[0] ?? 0, seen[1] ?? 1];
         // Of zero there is no logarithm.
         const rounded = style.source === 'scalar' && !style.logarithmic;
         const wanted = style.range ?? (rounded ? steadyRange(least, greatest) : [least, greatest]);
-        this.range = drawnRange(wanted, style.logarithmic, style.centre);
-        const [low, high] = style.logarithmic ? this.range.map(Math.log) : this.range;
-        own.range.value.set(low!, high!);
+        this.range = drawnRange(wanted, scale, style.centre);
+        const [low, high] = this.range;
+        own.range.value.set(scaled(low, scale), scaled(high, scale));
         this.isDense = style.opacity >= 0.5 && style.smoke === 0;
         own.backSide.value = backSides.indexOf(style.backSide);
         own.silhouettes.value = style.silhouettes && !style.points;

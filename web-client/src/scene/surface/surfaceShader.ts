@@ -169,6 +169,8 @@ uniform vec3 constant;
 uniform vec2 range;
 uniform bool inverted;
 uniform bool logarithmic;
+uniform bool root;
+uniform float bands;
 uniform int backSide;
 uniform bool silhouettes;
 uniform float hatchAbove;
@@ -183,7 +185,9 @@ vec3 baseColour() {
     // No number, or none that has a logarithm. That of zero lies below every range.
     if (isnan(values.x) || isinf(values.x) || (logarithmic && values.x < 0.0)) return vec3(0.2);
     float value = logarithmic ? (values.x > 0.0 ? log(values.x) : range.x) : values.x;
+    if (root) value = sign(value) * sqrt(abs(value));
     float fraction = clamp((value - range.x) / (range.y - range.x), 0.0, 1.0);
+    if (bands > 1.0) fraction = min(floor(fraction * bands), bands - 1.0) / (bands - 1.0);
     if (inverted) fraction = 1.0 - fraction;
     float at = (fraction * ${tableSize - 1}.0 + 0.5) / ${tableSize}.0;
     // The texture is declared sRGB: the sampler hands out linear values, ready for lighting.

@@ -18,6 +18,10 @@ export interface SurfaceStyle {
     map: ColourMapName;
     inverted: boolean;
     logarithmic: boolean;
+    /** By the square root of the values' size; without effect where it is logarithmic. */
+    root: boolean;
+    /** Of one colour each; 0: none. */
+    bands: number;
     /** Null: from the least to the greatest that there is. */
     range: readonly [number, number] | null;
     /** Whose range that is, for people. */
@@ -74,6 +78,8 @@ export const plainStyle: SurfaceStyle = {
     map: 'viridis',
     inverted: false,
     logarithmic: false,
+    root: false,
+    bands: 0,
     range: null,
     rangeOf: 'surface',
     beyond: [null, null],

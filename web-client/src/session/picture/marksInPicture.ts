@@ -47,6 +47,9 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
         if (probe !== null) {
             markers.push({ at: probe.point, colour: probeColour, words: probeWords(probe, state.dataset.value) });
         }
+        // With the probe in hand its own marker is there.
+        const plotted = view.plot.value === 'point' && probe === null ? view.probeHeld.value : view.plotPlace.value;
+        if (plotted !== null) markers.push({ at: plotted, colour: probeColour, words: '' });
         const [a, b] = view.measured.value;
         for (const at of view.measured.value) markers.push({ at, colour: measureColour, words: '' });
         for (const { position: at, text, author } of state.annotations.value.values()) {

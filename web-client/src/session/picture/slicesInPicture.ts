@@ -11,6 +11,7 @@ import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { announceUnlessDisconnected } from '../base/calls.ts';
 import type { Edits } from '../edits/edits.ts';
+import { dataTime } from '../time/timeSteps.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
@@ -167,11 +168,8 @@ export class Slices {
         const { state } = this.options;
         const description = state.dataset.value;
         if (description === null || state.stage.value !== 'running') return;
-        const { dataset, times, steady, grid } = description;
-        const [first = 0, last = first] = [times[0], times.at(-1)];
-        const now = this.options.time();
-        const shown = Number.isNaN(now) ? first : now;
-        const time = steady || times.length < 2 ? null : grid === 'analytic' ? shown : Math.min(last, Math.max(first, shown));
+        const { dataset } = description;
+        const time = dataTime(description, this.options.time());
         for (const [id, { origin, normal, field }] of this.places.value) {
             // The edit is about to be refused, in words.
             if (!meets(description.bounds, origin, normal)) continue;

@@ -116,7 +116,7 @@ export function hasFlow({ fields }: Pick<SurfaceRecord, 'fields'>): boolean {
 
 export function styleOf(facts: StyleFacts): SurfaceStyle {
     const { look, record, rake, speedRange } = facts;
-    const { colourBy, colour, invert, log, ...same } = look;
+    const { colourBy, colour, invert, log, root, bands, ...same } = look;
     const isStreak = record.kind === 'streak';
     return {
         ...pick(same),
@@ -128,6 +128,8 @@ export function styleOf(facts: StyleFacts): SurfaceStyle {
         colour: colour ?? rake?.colour ?? usualColour,
         inverted: invert,
         logarithmic: log,
+        root,
+        bands,
         ...rangeFor(facts),
         tIsRelease: isStreak,
         tOrigin: isStreak ? record.from : 0,

@@ -1,5 +1,5 @@
 // Arithmetic of the time-steps: the nearest, the next, what the timeline spans, and its numbers.
-import type { SurfaceKind } from '../../protocol/messages.ts';
+import type { DatasetDescription, SurfaceKind } from '../../protocol/messages.ts';
 import { labelForm, niceTicks, type Ticks } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
 
@@ -84,6 +84,18 @@ function decimalsOf(values: readonly number[], gap: number): number {
         if (values.every((value) => Math.abs(Number(value.toFixed(decimals)) - value) <= 0.01 * gap)) return decimals;
     }
     return 12;
+}
+
+/** The time at which data are sampled for a picture: of a series the nearest that it has. Null: the data have one time. @param shown no number
+ *  where nothing has a time */
+export function dataTime(
+    { times, steady, grid }: Pick<DatasetDescription, 'times' | 'steady' | 'grid'>,
+    shown: number,
+): number | null {
+    if (steady || times.length < 2) return null;
+    const [first = 0, last = first] = [times[0], times.at(-1)];
+    const time = Number.isNaN(shown) ? first : shown;
+    return grid === 'analytic' ? time : clampTo([first, last], time);
 }
 
 /** Returns the time of the selected surface; where there is none, of the clock or of the first time-step. */

@@ -65,6 +65,7 @@ export class Probing implements PointerTool {
         this.probeAt(pointer);
         // Nothing can be held where nothing is.
         this.held &&= !this.options.pageView.probeMissed.value;
+        if (this.held) this.options.pageView.probeHeld.value = this.options.pageView.probePlace.value;
         return true;
     }
 
@@ -93,6 +94,7 @@ export class Probing implements PointerTool {
     probeThere(point: Vec3): void {
         this.held = true;
         this.under = null;
+        this.options.pageView.probeHeld.value = point;
         this.probe({ point, on: null });
     }
 

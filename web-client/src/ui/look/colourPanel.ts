@@ -1,6 +1,6 @@
 // Shows what the selected surface is coloured by, with which colours, over which range.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { colourTable, tableSize } from '../../scene/surface/colourMap.ts';
+import { colourTable, isBands, mostBands, tableSize } from '../../scene/surface/colourMap.ts';
 import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
 import { attributeOf, isLogarithmic, isSigned, knownRange } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
@@ -14,11 +14,14 @@ import type { OwnCopyButton } from '../base/locked.ts';
 import { checkRow, numberField, pairRow, selectRow } from '../base/rows.ts';
 import { LookGroup, lookStyles } from './lookStyles.ts';
 
+// Nobody needs it before the first picture.
+void import('./histogramPanel.ts');
+
 export interface ColourModel {
     state: AppState;
     view: ViewState;
     edits: Pick<Edits, 'changeSurface'>;
-    scene: Pick<FlowScene, 'surfaces'>;
+    scene: Pick<FlowScene, 'surfaces' | 'view'>;
     ownCopy: OwnCopyButton['model'];
 }
 
@@ -72,6 +75,12 @@ export class ColourPanel extends LookGroup<ColourModel> {
             .checks {
                 display: grid;
                 grid-template-columns: 1fr 1fr;
+            }
+            .checks .row {
+                min-height: 28px;
+            }
+            .checks .row .number {
+                width: 56px;
             }
             .checks .number {
                 width: 80px;
@@ -166,6 +175,7 @@ export class ColourPanel extends LookGroup<ColourModel> {
 
     private range(look: SurfaceLook, range: readonly [number, number]): TemplateResult {
         const locked = look.range !== null;
+        const below = range[0] < 0;
         const { dataset, speedRange } = this.model.state;
         const known = knownRange(look.colourBy, dataset.value, speedRange.value) !== null && look.colourBy !== 's';
         return html`
@@ -183,9 +193,35 @@ export class ColourPanel extends LookGroup<ColourModel> {
                 id: 'lock-range',
             })}
             ${pairRow('range', 'Range', range, (pair) => this.change({ range: pair }))}
+            <wakesurf-histogram .model=${this.model}></wakesurf-histogram>
             <div class="checks">
                 ${checkRow('Inverted', look.invert, (invert) => this.change({ invert }), { id: 'invert' })}
-                ${checkRow('Logarithmic', look.log, (log) => this.change({ log, centre: log ? null : look.centre }), { id: 'log' })}
+                ${checkRow(
+                    'Logarithmic',
+                    look.log,
+                    (log) => this.change({ log, root: false, centre: log ? null : look.centre }),
+                    {
+                        id: 'log',
+                        title: below ? 'Values below zero have no logarithm' : 'Colours follow the logarithm of the values',
+                        disabled: below && !look.log,
+                    },
+                )}
+                ${checkRow('Root', look.root, (root) => this.change({ root, log: false }), {
+                    id: 'root',
+                    title: 'Colours follow the root of the values, with their sign: what is small is told apart',
+                })}
+                <label class="row" for="bands"
+                    ><span>Bands</span>${numberField({
+                        ...{
+                            id: 'bands',
+                            title: 'Bands of one colour; 0: none',
+                            min: 0,
+                            max: mostBands,
+                            shown: String(look.bands),
+                        },
+                        change: (bands) => isBands(bands) && this.change({ bands }),
+                    })}</label
+                >
                 ${checkRow(
                     'Symmetric around',
                     look.centre !== null,
@@ -197,7 +233,9 @@ export class ColourPanel extends LookGroup<ColourModel> {
                     change: (centre) => this.change({ centre }),
                 })}
             </div>
-            <p class="quiet">Values outside the range have the colours of its ends${look.log ? '; values below zero are grey' : ''}.</p>
+            <p class="quiet">Values outside the range have the colours of its ends${look.log ? '; values below zero are grey' : ''}${
+                below && !look.log ? '. Values below zero have no logarithm' : ''
+            }.</p>
         `;
     }
 

@@ -2,7 +2,7 @@
 // can be read aloud.
 import type { ReadonlySignal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { colourTable, colourTicks, fractionOf, tableSize } from '../../scene/surface/colourMap.ts';
+import { colourTable, colourTicks, fractionOf, scaleOf, tableSize } from '../../scene/surface/colourMap.ts';
 import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -32,11 +32,14 @@ const rangeWords = {
     film: 'of the whole film',
     body: 'of the body',
 };
+const plainScale = { inverted: false, logarithmic: false, root: false, bands: 0 };
+const scaleWords = { even: '', root: ', by the root', log: ', logarithmic' };
+const shortScale = { even: '', root: ', root', log: ', log' };
 /** More would cover the picture. */
 const barsAtMost = 4;
 
 /** What a bar shows, of all that it is true of. */
-interface Bar extends Pick<SurfaceStyle, 'map' | 'inverted' | 'logarithmic' | 'beyond'> {
+interface Bar extends Pick<SurfaceStyle, 'map' | 'inverted' | 'logarithmic' | 'root' | 'bands' | 'beyond'> {
     title: string;
     colours: readonly [number, number];
     rangeOf: keyof typeof rangeWords | null;
@@ -142,18 +145,19 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             const span = scene.surfaces.spanOf(id);
             if (record === undefined || span === null) continue;
             const { style, colours, lacks } = span;
-            const { map, inverted, logarithmic, beyond } = style;
+            const { map, inverted, logarithmic, root, bands: bandCount, beyond } = style;
             const titleOf = (shown: Pick<SurfaceStyle, 'source' | 'scalar'>): string =>
                 colourTitle(shown, state.dataset.value, record.kind, view.units.value);
             if (lacks !== '') this.missing.add(titleOf({ source: 'scalar', scalar: lacks }));
             if (style.source === 'constant') continue;
             const title = titleOf(style);
-            const key = JSON.stringify([title, colours, map, inverted, logarithmic, style.rangeOf]);
+            const key = JSON.stringify([title, colours, map, inverted, logarithmic, root, bandCount, style.rangeOf]);
             const of = state.rakes.value.get(record.rake)?.name || record.rake;
             const held = bars.get(key);
             const rangeOf = style.source === 'scalar' || style.rangeOf === 'film' ? style.rangeOf : null;
-            if (held === undefined) bars.set(key, { title, colours, map, inverted, logarithmic, beyond, rangeOf, of: [of] });
-            else if (!held.of.includes(of)) held.of.push(of);
+            if (held === undefined) {
+                bars.set(key, { title, colours, map, inverted, logarithmic, root, bands: bandCount, beyond, rangeOf, of: [of] });
+            } else if (!held.of.includes(of)) held.of.push(of);
         }
         return [...bars.values(), ...this.bodyBar(), ...this.barsOfSlices()];
     }
@@ -163,7 +167,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         // Slices of one field have the same colours.
         const fields = new Map([...meanings].map((each) => [each.field, each]));
         return [...fields.values()].map(({ field, map, range }) => ({
-            ...{ title: this.titleOf(field), colours: range, map, inverted: false, logarithmic: false },
+            ...{ title: this.titleOf(field), colours: range, map, ...plainScale },
             ...{ beyond: [null, null], rangeOf: null, of: ['slice'] },
         }));
     }
@@ -188,8 +192,8 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
                 colours,
                 beyond,
                 map,
+                ...plainScale,
                 inverted,
-                logarithmic: false,
                 rangeOf: range === null ? 'body' : 'locked',
                 of: ['Body'],
             },
@@ -198,7 +202,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
 
     private bar({ title, colours, of, rangeOf, ...style }: Bar, severalBars: boolean): TemplateResult {
         const [low, high] = colours;
-        const scale = style.logarithmic ? ', logarithmic' : '';
+        const scale = scaleOf(style);
         const resolution = resolutionOf(low, high);
         const written = (numbers: readonly [number, number]): string[] =>
             style.logarithmic ? numbers.map(shortNumber) : placeNumbers(numbers, resolution);
@@ -216,12 +220,18 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
                     ? `the last 1 %: from ${less}`
                     : '';
         const whose = rangeOf === null ? '' : rangeWords[rangeOf];
-        const { ticks, shared } = colourTicks(low, high, style.logarithmic, 5);
-        const said = [`${title} from ${from} to ${to}${scale}`, whose, beyond].filter((each) => each !== '').join(', ');
-        return html`<figure aria-label=${`Colours: ${said}`} data-table=${`${style.map} ${style.inverted}`}>
+        const { ticks, shared } = colourTicks(low, high, scale, 5);
+        const said = [
+            `${title} from ${from} to ${to}${scaleWords[scale]}${style.bands === 0 ? '' : `, in ${style.bands} bands`}`,
+            whose,
+            beyond,
+        ]
+            .filter((each) => each !== '')
+            .join(', ');
+        return html`<figure aria-label=${`Colours: ${said}`} data-table=${`${style.map} ${style.inverted}${style.bands === 0 ? '' : ` ${style.bands}`}`}>
             <figcaption>
                 <span>${title}</span>
-                <span class="range">${from} to ${to}${style.logarithmic ? ', log' : ''}</span>
+                <span class="range">${from} to ${to}${shortScale[scale]}</span>
                 ${severalBars ? html`<span class="range">${of.join(', ')}</span>` : nothing}
                 ${whose === '' ? nothing : html`<span class="range whose">${whose}</span>`}
                 ${beyond === '' ? nothing : html`<span class="range beyond">${beyond}</span>`}
@@ -229,9 +239,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             </figcaption>
             <canvas width=${tableSize} height="1" aria-hidden="true"></canvas>
             <div class="ticks" aria-hidden="true">
-                ${ticks.map(
-                    ({ value, label }) => html`<span data-at=${fractionOf(value, colours, style.logarithmic)}>${label}</span>`,
-                )}
+                ${ticks.map(({ value, label }) => html`<span data-at=${fractionOf(value, colours, scale)}>${label}</span>`)}
             </div>
         </figure>`;
     }
@@ -247,7 +255,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             // Ranges change with every state, colours seldom.
             if (canvas === null || style === undefined || canvas.dataset['painted'] === figure.dataset['table']) return;
             canvas.dataset['painted'] = figure.dataset['table'];
-            const pixels = new Uint8ClampedArray(colourTable(style.map, style.inverted).buffer);
+            const pixels = new Uint8ClampedArray(colourTable(style.map, style.inverted, style.bands).buffer);
             canvas.getContext('2d')?.putImageData(new ImageData(pixels, tableSize, 1), 0, 0);
         });
     }

@@ -122,7 +122,7 @@ const shapes: [RakeKind, string][] = [
 
 export interface RakeModel {
     state: AppState;
-    view: Pick<ViewState, 'tool' | 'units' | 'visibility'>;
+    view: Pick<ViewState, 'plot' | 'tool' | 'units' | 'visibility'>;
     edits: Pick<Edits, 'changeRake' | 'seeds' | 'setShape'>;
     scene: Pick<FlowScene, 'interaction' | 'rakes'>;
 }
@@ -161,7 +161,9 @@ export class RakePanel extends ModelElement<RakeModel> {
                 for longer steps.
             </p>
             ${this.buttons()} ${this.snapChoice()}
-        </fieldset>${this.why()}`;
+        </fieldset>
+        <button type="button" class="wide" id="plot-rake" @click=${() => (this.model.view.plot.value = 'rake')}>Plot along the rake</button>
+        ${this.why()}`;
     }
 
     /** Why the rake is where the server suggests one. */

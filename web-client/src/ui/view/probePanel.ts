@@ -6,7 +6,7 @@ import { shortNumber, valueNumber } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import { distance, nothingThere, type Probing } from '../../session/tools/pointTools.ts';
 import { coordinateField, timeWords, withUnit } from '../../session/picture/writtenNumbers.ts';
-import type { ProbeReading, SeenPlace, ViewState } from '../../state/viewState.ts';
+import type { PlotOf, ProbeReading, SeenPlace, ViewState } from '../../state/viewState.ts';
 import type { AppState } from '../../state/appState.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { ageName, colourTitle } from '../look/colourNames.ts';
@@ -57,8 +57,22 @@ export class ProbePanel extends ModelElement<ProbeModel> {
                       </p>`
                     : this.reading(reading)
             }
-            ${this.measured()}
+            ${reading === null ? nothing : this.plotButton('point', 'Plot over time here')} ${this.measured()}
         `;
+    }
+
+    private plotButton(of: PlotOf, words: string): TemplateResult {
+        const { view } = this.model;
+        return html`<button
+            type="button"
+            class="plot"
+            @click=${() => {
+                if (of === 'point') view.probeHeld.value = view.probePlace.value;
+                view.plot.value = of;
+            }}
+        >
+            ${words}
+        </button>`;
     }
 
     private reading({ inside, time, values, on }: ProbeReading): TemplateResult {
@@ -114,6 +128,7 @@ export class ProbePanel extends ModelElement<ProbeModel> {
                 <dt>along x, y, z</dt>
                 <dd>${along.join(', ')}</dd>
             </dl>
+            ${this.plotButton('line', 'Plot along it')}
             <button type="button" @click=${() => (measured.value = [])}>Clear the measurement</button>`;
     }
 }

@@ -204,10 +204,10 @@ const tools: readonly { tool: Tool; label: string; words: string; edits: boolean
 
 export interface ToolsModel {
     state: Pick<AppState, 'role'>;
-    view: Pick<ViewState, 'tool'>;
+    view: Pick<ViewState, 'plot' | 'tool'>;
 }
 
-/** What a click on the picture does. */
+/** What a click on the picture does, and the plot below it. */
 export class ToolButtons extends ModelElement<ToolsModel> {
     static override styles = css`
         div {
@@ -216,7 +216,8 @@ export class ToolButtons extends ModelElement<ToolsModel> {
         }
         @media (max-width: 760px), (max-height: 500px) {
             div {
-                grid-auto-flow: column;
+                grid-template-columns: repeat(3, auto);
+                justify-items: start;
             }
         }
         button[aria-pressed='true'] {
@@ -242,6 +243,14 @@ export class ToolButtons extends ModelElement<ToolsModel> {
                     ${label}
                 </button>`;
             })}
+            <button
+                type="button"
+                title="Plot values along the rake or a line, over time, or numbers of the surface"
+                aria-pressed=${view.plot.value === null ? 'false' : 'true'}
+                @click=${() => (view.plot.value = view.plot.value === null ? 'rake' : null)}
+            >
+                Plot
+            </button>
         </div>`;
     }
 }
