@@ -60,8 +60,9 @@ export class DomainOutline implements Layer {
         this.placed = [];
         this.size = view.size;
         const { width, height } = view.size;
-        for (const edge of labelledEdges(this.bounds, eye, project, { width: width - buttonsPx, height }))
+        for (const edge of labelledEdges(this.bounds, eye, project, { width: width - buttonsPx, height })) {
             this.labelEdge(edge, project);
+        }
         this.labels.end();
     }
 
