@@ -155,6 +155,12 @@ int run(int argc, char** argv) {
                                 "Make a family of stream surfaces as a scalar field of a dataset",
                                 [&] { return run_family(family); }),
                        family);
+    MeansOptions means;
+    add_means_options(*command("means",
+                               "Make the mean and the rms over time of fields of a dataset, or "
+                               "means by phase, as scalar fields",
+                               [&] { return run_means(means); }),
+                      means);
     InfoOptions info;
     auto* const info_command =
         command("info", "Describe a dataset", [&] { return run_info(info); });
