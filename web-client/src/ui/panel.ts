@@ -130,7 +130,12 @@ const tabs: readonly Tab[] = [
                 <h2 id="slices-head">Slices</h2>
                 ${model.slices.value === null ? nothing : html`<wakesurf-slices .model=${model.slices.value}></wakesurf-slices>`}
             </section>
-            <wakesurf-means .model=${model.means}></wakesurf-means>
+            <section aria-labelledby="means-head" ?hidden=${(model.state.dataset.value?.times.length ?? 0) < 2}>
+                <details id="means">
+                    <summary><h2 id="means-head">Means over time</h2></summary>
+                    <wakesurf-means .model=${model.means}></wakesurf-means>
+                </details>
+            </section>
             <section aria-labelledby="rake-head">
                 <details open>
                     <summary><h2 id="rake-head">Geometry</h2></summary>

@@ -1,4 +1,4 @@
-// Means over time: which there are, and a form to make others. Folded until someone wants it.
+// Means over time: which there are, and a form to make others.
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Mean } from '../../protocol/generated/mean.ts';
@@ -38,6 +38,9 @@ export class MeansPanel extends ModelElement<MeansModel> {
             min-width: 0;
             width: 100%;
         }
+        ul {
+            margin: 0 0 8px;
+        }
         .all {
             grid-column: 1 / 5;
         }
@@ -58,10 +61,8 @@ export class MeansPanel extends ModelElement<MeansModel> {
         const dataset = state.dataset.value;
         const made = dataset?.means ?? [];
         const locked = state.locked.value;
-        const canMake = dataset !== null && dataset.times.length > 1 && !locked;
-        if (dataset === null || (!canMake && made.length === 0)) return html``;
-        return html`<details id="means">
-            <summary><h2>Means over time</h2></summary>
+        if (dataset === null) return html``;
+        return html`
             ${
                 made.length === 0
                     ? nothing
@@ -69,8 +70,8 @@ export class MeansPanel extends ModelElement<MeansModel> {
                           ${made.map((mean) => this.row(mean, locked))}
                       </ul>`
             }
-            ${canMake ? this.form(dataset) : nothing}
-        </details>`;
+            ${locked ? nothing : this.form(dataset)}
+        `;
     }
 
     private row(mean: Mean, locked: boolean): TemplateResult {
