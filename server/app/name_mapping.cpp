@@ -29,9 +29,12 @@ constexpr std::array<CommandOfMethod, 13> known_commands{{
 }};
 
 /// Parameters whose options are declared here, beside those made from the description of surface.set.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> more_options{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> more_options{{
     {"maxQuads", "--max-quads"},
     {"fields", "--fields"},
+    {"label", "--label"},
+    {"period", "--period"},
+    {"phases", "--phases"},
     {"tessellate", "--tessellate"},
 }};
 

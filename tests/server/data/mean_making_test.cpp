@@ -253,7 +253,9 @@ TEST(MeanMaking, RefusesANameThatAFieldOfTheFilesHas) {
     const TemporaryFolder folder;
     write_whole_store(folder / "store", swinging(), 0);
     auto dataset = opened(folder / "store");
-    dataset.info.fields.push_back({"s1_rms"});
+    core::FieldInfo theirs;
+    theirs.name = "s1_rms";
+    dataset.info.fields.push_back(std::move(theirs));
     const auto refused = make_means(dataset, of({"s1"}), {});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().message, "the dataset has a field s1_rms already");
