@@ -56,7 +56,7 @@ tl::unexpected<Error> cannot(const std::string& what) {
     const int error = errno;
     const char* hint = error == ENOSPC || error == EDQUOT ? "free some disk space, then try again"
                        : error == EACCES || error == EROFS || error == EPERM
-                           ? "families are kept in the store, beside the data: make its folder "
+                           ? "what is made of data is kept beside them: make the store's folder "
                              "writable, or import the data into another one"
                            : "";
     return core::fail(Error::Code::Io, what + ": " + std::generic_category().message(error), hint);
@@ -64,17 +64,26 @@ tl::unexpected<Error> cannot(const std::string& what) {
 
 } // namespace
 
-core::Result<FolderChanges> FolderChanges::begin(const fs::path& folder) {
+core::Result<void> check_writable(const fs::path& folder) {
+    return ::faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0
+               ? core::Result<void>()
+               : cannot("the store cannot be written to");
+}
+
+core::Result<FolderChanges> FolderChanges::begin(const fs::path& folder, IfLocked locked) {
     const int lock = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (lock < 0)
         return cannot("cannot open the store folder");
     FolderChanges changes(folder, lock);
-    while (::flock(lock, LOCK_EX) != 0)
+    while (::flock(lock, LOCK_EX | (locked == IfLocked::Refuse ? LOCK_NB : 0)) != 0) {
+        if (errno == EWOULDBLOCK)
+            return core::fail(Error::Code::Io,
+                              "another program makes a field of this store just now",
+                              "try again once it has ended");
         if (errno != EINTR)
             return cannot("cannot lock the store folder");
-    if (::faccessat(lock, ".", W_OK | X_OK, AT_EACCESS) != 0)
-        return cannot("the store cannot be written to");
-    return changes;
+    }
+    return check_writable(folder).map([&] { return std::move(changes); });
 }
 
 FolderChanges::FolderChanges(FolderChanges&& other) noexcept
@@ -87,21 +96,41 @@ FolderChanges::~FolderChanges() {
 
 core::Result<void> FolderChanges::write(const std::string& name,
                                         std::span<const std::byte> bytes) const {
+    return file(name).and_then(
+        [&](File whole) { return whole.append(bytes).and_then([&] { return whole.finish(); }); });
+}
+
+core::Result<FolderChanges::File> FolderChanges::file(const std::string& name) const {
     const std::string part = name + ".part";
     const int file = ::openat(lock_, part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
     if (file < 0)
         return cannot("cannot write " + name);
-    const bool written = write_whole(file, bytes) && ::fsync(file) == 0;
-    core::Result<void> outcome = written ? core::Result<void>() : cannot("cannot write " + name);
-    if (::close(file) != 0 && outcome)
-        outcome = cannot("cannot write " + name);
-    if (outcome && ::renameat(lock_, part.c_str(), lock_, name.c_str()) != 0)
-        outcome = cannot("cannot write " + name);
-    if (!outcome)
-        ::unlinkat(lock_, part.c_str(), 0);
-    else
-        ::fsync(lock_); // the name, too
-    return outcome;
+    return File(lock_, name, file);
+}
+
+FolderChanges::File::File(File&& other) noexcept
+    : folder_(other.folder_), name_(std::move(other.name_)), file_(std::exchange(other.file_, -1)) {
+}
+
+FolderChanges::File::~File() {
+    if (file_ < 0)
+        return;
+    ::close(file_);
+    ::unlinkat(folder_, (name_ + ".part").c_str(), 0);
+}
+
+core::Result<void> FolderChanges::File::append(std::span<const std::byte> bytes) {
+    return write_whole(file_, bytes) ? core::Result<void>() : cannot("cannot write " + name_);
+}
+
+core::Result<void> FolderChanges::File::finish() {
+    if (::fsync(file_) != 0)
+        return cannot("cannot write " + name_);
+    if (::renameat(folder_, (name_ + ".part").c_str(), folder_, name_.c_str()) != 0)
+        return cannot("cannot write " + name_);
+    ::fsync(folder_); // the name, too
+    ::close(std::exchange(file_, -1));
+    return {};
 }
 
 void FolderChanges::remove(const std::string& name) const noexcept {

@@ -135,9 +135,17 @@ core::BrickLayout StoreLayout::bricks() const {
 std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, std::size_t index) {
     const auto stem =
         column == 0 ? velocity_stem : std::string_view(layout.scalars[column - 1].stem);
-    const std::string values = step_file_name(stem, index, layout.precision);
+    return step_files(layout, stem, components_of(column), layout.precision, index);
+}
+
+std::vector<StepFile> step_files(const StoreLayout& layout,
+                                 std::string_view stem,
+                                 std::size_t components,
+                                 Precision precision,
+                                 std::size_t index) {
+    const std::string values = step_file_name(stem, index, precision);
     const auto size = [&](std::uint64_t nodes) -> std::uint64_t {
-        return step_file_size(nodes, components_of(column), layout.precision);
+        return step_file_size(nodes, components, precision);
     };
     if (layout.brick_cells == 0)
         return {{values, size(layout.grid.nodes())}};
@@ -220,7 +228,7 @@ Result<void> check_layout(const StoreLayout& layout) {
 
 void mark_stored(const StoreLayout& layout, core::DatasetInfo& info) {
     for (core::FieldInfo& field : info.fields)
-        field.stored = field.family ||
+        field.stored = field.kept() ||
                        (field.components == 1
                             ? std::ranges::find(layout.scalars, field.name, &StoredScalar::name) !=
                                   layout.scalars.end()

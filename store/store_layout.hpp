@@ -87,6 +87,23 @@ inline std::size_t components_of(std::size_t column) {
 /// checksums. The CRC-32C of the last one, which is the record in checksums.u32, identifies the values.
 std::vector<StepFile> step_files(const StoreLayout& layout, std::size_t column, std::size_t index);
 
+/// Returns the files of a column that has another stem or precision than the layout knows.
+std::vector<StepFile> step_files(const StoreLayout& layout,
+                                 std::string_view stem,
+                                 std::size_t components,
+                                 core::Precision precision,
+                                 std::size_t index);
+
+/// A scalar that was made of the data and is kept beside them: a column after those of the layout, in single
+/// precision. Several time-steps may share a file.
+struct KeptColumn {
+    std::string stem;                ///< of its files' names
+    std::vector<std::uint32_t> file; ///< of each time-step: its number
+    std::vector<std::uint32_t> sums; ///< of each file, as checksums.u32 has them
+
+    bool operator==(const KeptColumn&) const = default;
+};
+
 /// Returns velocity_000000.f32 and so on.
 std::string step_file_name(std::string_view stem, std::size_t index, core::Precision precision);
 

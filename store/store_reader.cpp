@@ -8,6 +8,8 @@
 #include "store/store_grid.hpp"
 #include "store/stored_bricks.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -278,7 +280,7 @@ Result<bool> StoreReader::read_bricks(std::size_t column,
     for (std::size_t place = 0; place < layout.count() && outcome; place += at_once) {
         if (stop.stop_requested())
             return fail(Error::Code::Cancelled,
-                        "loading " + step_name(index, file_name(column, index)) + " was cancelled");
+                        fmt::format("loading time-step {} was cancelled", index));
         std::vector<std::span<float>> to;
         for (std::size_t i = 0; i < std::min(at_once, layout.count() - place); ++i)
             to.push_back(std::span(values).subspan(i * brick_values, brick_values));
@@ -317,9 +319,17 @@ Result<std::shared_ptr<const TimeStep>> StoreReader::load(std::size_t index,
         });
 }
 
+std::optional<std::size_t> StoreReader::add(const KeptColumn& column) const {
+    return stored_bricks_ ? std::optional(stored_bricks_->add(column) - 1) : std::nullopt;
+}
+
 Result<Slab>
 StoreReader::load_scalar(std::size_t scalar, std::size_t index, const std::stop_token& stop) const {
     Slab slab(step_file_size(nodes_, 1, Precision::Single));
+    if (1 + scalar >= columns())
+        return read_bricks(1 + scalar, index, slab.bytes(), stop).map([&](bool) {
+            return std::move(slab);
+        });
     return read(1 + scalar, index, slab.bytes(), stop).map([&](bool) { return std::move(slab); });
 }
 

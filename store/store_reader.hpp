@@ -96,6 +96,10 @@ class StoreReader final : public core::TimeStepSource, public core::ScalarSource
         return bricks_ == nullptr ? std::nullopt : std::optional(1 + scalar);
     }
 
+    /// Returns the scalar's number here of a column that was made of the data and is kept beside them, in a
+    /// store in bricks; for load_scalar and brick_field. Nothing where time-steps are whole.
+    std::optional<std::size_t> add(const KeptColumn& column) const;
+
     /// Returns the bytes that scalar_values keeps at most.
     std::size_t scalar_memory() const;
 

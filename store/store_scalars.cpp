@@ -2,6 +2,9 @@
 
 #include "core/base/crc32c.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -11,59 +14,102 @@ using core::Error;
 using core::Result;
 using core::Slab;
 
+namespace {
+
+/// The number of the file of a time-step that has none.
+constexpr auto no_file = std::numeric_limits<std::uint32_t>::max();
+
+} // namespace
+
 std::shared_ptr<const StoreScalars> StoreScalars::open(std::shared_ptr<const StoreReader> reader,
                                                        std::shared_ptr<const core::Disk> disk) {
-    auto found =
-        read_families(reader->layout().folder, *disk).value_or(std::vector<StoredFamily>());
-    auto current = current_families(std::move(found), reader->marks());
     return std::shared_ptr<const StoreScalars>(
-        new StoreScalars(std::move(reader), std::move(disk), std::move(current)));
+        new StoreScalars(std::move(reader), std::move(disk)));
 }
 
 StoreScalars::StoreScalars(std::shared_ptr<const StoreReader> reader,
-                           std::shared_ptr<const core::Disk> disk,
-                           std::vector<StoredFamily> families)
-    : reader_(std::move(reader)), disk_(std::move(disk)), families_(std::move(families)),
-      nodes_(static_cast<std::size_t>(reader_->layout().grid.nodes())),
-      kept_(std::make_unique<core::ScalarSteps>(std::min<std::size_t>(2, families_.size()))) {
-    for (const StoredFamily& each : families_) {
-        records_.push_back(each.record);
-        mark_ += each.record.name + ":" + each.stem;
-        for (const StoredFamily::Sums& sums : each.sums)
-            mark_.append("-").append(std::to_string(sums.values));
-        mark_ += " ";
+                           std::shared_ptr<const core::Disk> disk)
+    : reader_(std::move(reader)), disk_(std::move(disk)),
+      nodes_(static_cast<std::size_t>(reader_->layout().grid.nodes())) {
+    const auto& layout = reader_->layout();
+    const auto marks = reader_->marks();
+    auto families = read_families(layout.folder, *disk_).value_or(std::vector<StoredFamily>());
+    for (const StoredFamily& each : current_families(std::move(families), marks))
+        take(each);
+    auto means = read_means(layout.folder, *disk_).value_or(std::vector<StoredMean>());
+    for (const StoredMean& each : current_means(std::move(means), layout, marks))
+        take(each);
+    recent_ = std::make_unique<core::ScalarSteps>(std::min<std::size_t>(2, kept_.size()));
+}
+
+void StoreScalars::take(const StoredFamily& family) {
+    families_.push_back(family.record);
+    Kept kept{family.record.name,
+              "remove the family " + family.record.name + " and make it again",
+              {family.stem, std::vector<std::uint32_t>(times().size(), no_file), {}}};
+    // One file a time-step, with its number.
+    kept.column.sums.resize(times().size());
+    for (std::size_t i = 0; i < family.record.steps.size(); ++i) {
+        const core::FamilyStep& step = family.record.steps[i];
+        kept.column.file[step.index] = static_cast<std::uint32_t>(step.index);
+        kept.column.sums[step.index] = family.sums[i].values;
+        kept.times.push_back(step.time);
     }
+    take(std::move(kept));
+}
+
+void StoreScalars::take(const StoredMean& mean) {
+    means_.push_back(mean.record);
+    const auto columns = columns_of(mean, times());
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::string& name = mean.record.fields[i].name;
+        take(Kept{name,
+                  "remove the mean " + name + " and make it again",
+                  columns[i],
+                  {},
+                  reader_->add(columns[i])});
+    }
+}
+
+void StoreScalars::take(Kept kept) {
+    mark_ +=
+        fmt::format("{}:{}-{} ", kept.name, kept.column.stem, fmt::join(kept.column.sums, "-"));
+    kept_.push_back(std::move(kept));
 }
 
 std::vector<std::string> StoreScalars::names() const {
     std::vector<std::string> names;
     for (const StoredScalar& each : reader_->layout().scalars)
         names.push_back(each.name);
-    for (const core::FamilyRecord& each : records_)
+    for (const Kept& each : kept_)
         names.push_back(each.name);
     return names;
 }
 
 Result<std::size_t> StoreScalars::find(std::string_view name) const {
-    const auto found = std::ranges::find(records_, name, &core::FamilyRecord::name);
     auto scalar = find_scalar(reader_->layout(), name);
-    if (scalar || found == records_.end()) {
-        if (!scalar && !records_.empty()) {
-            scalar.error().hint = "there is ";
-            for (const std::string& each : names())
-                scalar.error().hint += (scalar.error().hint.size() > 9 ? ", " : "") + each;
-        }
+    if (scalar || kept_.empty())
         return scalar;
-    }
-    return imported() + static_cast<std::size_t>(found - records_.begin());
+    const auto found = std::ranges::find(kept_, name, &Kept::name);
+    if (found != kept_.end())
+        return imported() + static_cast<std::size_t>(found - kept_.begin());
+    scalar.error().hint = fmt::format("there is {}", fmt::join(names(), ", "));
+    return scalar;
 }
 
 std::vector<double> StoreScalars::times_of(std::size_t scalar) const {
-    std::vector<double> out;
-    if (scalar >= imported() && scalar - imported() < records_.size())
-        for (const core::FamilyStep& step : records_[scalar - imported()].steps)
-            out.push_back(step.time);
-    return out;
+    return scalar >= imported() && scalar - imported() < kept_.size()
+               ? kept_[scalar - imported()].times
+               : std::vector<double>();
+}
+
+std::optional<std::size_t> StoreScalars::brick_field(std::size_t scalar) const {
+    if (scalar < imported())
+        return reader_->brick_field(scalar);
+    if (scalar - imported() >= kept_.size())
+        return std::nullopt;
+    const auto& number = kept_[scalar - imported()].number;
+    return number ? reader_->brick_field(*number) : std::nullopt;
 }
 
 Result<std::shared_ptr<const Slab>> StoreScalars::scalar_values(std::size_t scalar,
@@ -71,39 +117,46 @@ Result<std::shared_ptr<const Slab>> StoreScalars::scalar_values(std::size_t scal
                                                                 const std::stop_token& stop) const {
     if (scalar < imported())
         return reader_->scalar_values(scalar, index, stop);
-    if (scalar - imported() >= families_.size())
+    if (scalar - imported() >= kept_.size())
         return core::fail(Error::Code::NotFound, "there is no such scalar field");
-    return kept_->get(scalar, index, [&] { return load(families_[scalar - imported()], index); });
+    const Kept& kept = kept_[scalar - imported()];
+    const std::uint32_t file = kept.column.file.at(index);
+    return recent_->get(scalar, file, [&] { return load(kept, file, stop); });
 }
 
-Result<Slab> StoreScalars::load(const StoredFamily& family, std::size_t index) const {
+Result<Slab>
+StoreScalars::load(const Kept& kept, std::uint32_t file, const std::stop_token& stop) const {
     Slab slab(step_file_size(nodes_, 1, core::Precision::Single));
     const auto nowhere = [&] {
         auto* const values = reinterpret_cast<float*>(slab.bytes().data());
         std::fill_n(values, nodes_, std::numeric_limits<float>::quiet_NaN());
         return std::move(slab);
     };
-    const auto& steps = family.record.steps;
-    const auto step = std::ranges::find(steps, index, &core::FamilyStep::index);
-    if (step == steps.end())
+    if (file == no_file)
         return nowhere();
-    const std::string name = step_file_name(family.stem, index, core::Precision::Single);
-    const auto file = reader_->layout().folder / name;
-    const auto size = disk_->size(file);
+    const std::string name = step_file_name(kept.column.stem, file, core::Precision::Single);
+    const auto path = reader_->layout().folder / name;
+    const auto size = disk_->size(path);
     if (!size && size.error().code == Error::Code::NotFound)
         return nowhere();
-    if (auto read = disk_->read(file, 0, slab.bytes()); !read)
+    if (kept.number) {
+        const auto step = std::ranges::find(kept.column.file, file) - kept.column.file.begin();
+        return reader_->load_scalar(*kept.number, static_cast<std::size_t>(step), stop);
+    }
+    if (auto read = disk_->read(path, 0, slab.bytes()); !read)
         return tl::unexpected(read.error());
-    const auto& sums = family.sums[static_cast<std::size_t>(step - steps.begin())];
-    if (core::crc32c(slab.bytes()) != sums.values)
+    if (core::crc32c(slab.bytes()) != kept.column.sums[file])
         return core::fail(Error::Code::Corrupt,
                           name + " has changed since it was written: its checksum differs",
-                          "remove the family " + family.record.name + " and make it again");
+                          kept.again);
     return slab;
 }
 
-std::size_t StoreScalars::family_memory() const {
-    return kept_->most() * Slab::reservation(step_file_size(nodes_, 1, core::Precision::Single));
+std::size_t StoreScalars::kept_memory(bool by_brick) const {
+    const auto whole = static_cast<std::size_t>(
+        std::ranges::count_if(kept_, [&](const Kept& each) { return !by_brick || !each.number; }));
+    return std::min(whole, recent_->most()) *
+           Slab::reservation(step_file_size(nodes_, 1, core::Precision::Single));
 }
 
 } // namespace wakesurf::store

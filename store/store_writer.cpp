@@ -3,6 +3,7 @@
 #include "core/base/crc32c.hpp"
 #include "store/file_writing.hpp"
 #include "store/stored_families.hpp"
+#include "store/stored_means.hpp"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -66,8 +67,9 @@ bool of_a_time_step(const std::string& name) {
 }
 
 bool of_a_store(const std::string& name) {
-    constexpr std::array<std::string_view, 13> fixed{manifest_file_name,
-                                                     families_file_name,
+    constexpr std::array<std::string_view, 14> fixed{manifest_file_name,
+                                                     families_list.file,
+                                                     means_list.file,
                                                      mask_file_name,
                                                      checksums_file_name,
                                                      "x.f64",

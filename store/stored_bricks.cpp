@@ -120,6 +120,41 @@ StoredBricks::StoredBricks(StoreLayout layout,
     : layout_(std::move(layout)), disk_(std::move(disk)), expected_(std::move(expected)),
       bricks_(layout_.bricks()) {}
 
+std::size_t StoredBricks::columns() const {
+    const std::scoped_lock lock(mutex_);
+    return layout_.columns() + kept_.size();
+}
+
+std::size_t StoredBricks::add(const KeptColumn& column) const {
+    const std::scoped_lock lock(mutex_);
+    const auto found =
+        std::find_if(kept_.begin(), kept_.end(), [&](const auto& each) { return *each == column; });
+    const auto number = layout_.columns() + static_cast<std::size_t>(found - kept_.begin());
+    if (found == kept_.end())
+        kept_.push_back(std::make_shared<const KeptColumn>(column));
+    return number;
+}
+
+// Null for a column of the layout.
+std::shared_ptr<const KeptColumn> StoredBricks::kept(std::size_t column) const {
+    if (column < layout_.columns())
+        return nullptr;
+    const std::scoped_lock lock(mutex_);
+    return kept_[column - layout_.columns()];
+}
+
+std::vector<StepFile> StoredBricks::files(std::size_t column, std::size_t index) const {
+    const auto shared = kept(column);
+    return shared ? step_files(layout_, shared->stem, 1, Precision::Single, shared->file[index])
+                  : step_files(layout_, column, index);
+}
+
+Result<std::uint32_t> StoredBricks::expected(std::size_t column, std::size_t index) const {
+    const auto shared = kept(column);
+    return shared ? Result<std::uint32_t>(shared->sums[shared->file[index]])
+                  : expected_(column, index);
+}
+
 std::size_t StoredBricks::most_recent() const {
     return std::max(fewest_recent, recent_bytes / (bytes_known * bricks_.count()));
 }
@@ -131,7 +166,7 @@ std::size_t StoredBricks::memory() const {
 
 std::string StoredBricks::name_of(std::size_t column, std::size_t index, std::size_t brick) const {
     return "brick " + std::to_string(brick) + " of time-step " + std::to_string(index) + " (" +
-           step_files(layout_, column, index)[0].name + ")";
+           files(column, index)[0].name + ")";
 }
 
 Result<bool> StoredBricks::gaps(std::size_t column, std::size_t index) const {
@@ -155,7 +190,8 @@ StoredBricks::KnownFile StoredBricks::recent(const Key& key,
 Result<StoredBricks::KnownFile> StoredBricks::known(std::size_t column,
                                                     std::size_t index,
                                                     const std::optional<FileIdentity>& file) const {
-    const Key key{index, column};
+    const auto shared = kept(column);
+    const Key key{shared ? shared->file[index] : index, column};
     if (auto found = recent(key, file))
         return found;
     const std::scoped_lock one_thread(examining_[(index * columns() + column) % examining_.size()]);
@@ -173,10 +209,10 @@ Result<StoredBricks::KnownFile> StoredBricks::known(std::size_t column,
 }
 
 Result<StoredBricks::KnownFile> StoredBricks::examine(std::size_t column, std::size_t index) const {
-    const auto expected = expected_(column, index);
+    const auto expected = this->expected(column, index);
     if (!expected)
         return tl::unexpected(expected.error());
-    const auto files = step_files(layout_, column, index);
+    const auto files = this->files(column, index);
     Result<FileIdentity> identity;
     for (const auto& file : files | std::views::reverse) {
         identity = disk_->identity(layout_.folder / file.name);
@@ -220,7 +256,7 @@ Result<void> StoredBricks::check(std::size_t column,
                                  std::uint32_t written) const {
     if (found == written)
         return {};
-    if (const auto expected = expected_(column, index); !expected)
+    if (const auto expected = this->expected(column, index); !expected)
         return tl::unexpected(expected.error());
     return fail(Error::Code::Corrupt, "it has changed since it was written: its checksum differs",
                 "delete that file from the store, then import the dataset again");
@@ -244,7 +280,7 @@ void StoredBricks::read(std::size_t column,
         while (next < to.size())
             tell(tl::unexpected(error));
     };
-    const auto file = layout_.folder / step_files(layout_, column, index)[0].name;
+    const auto file = layout_.folder / files(column, index)[0].name;
     const auto before = disk_->identity(file);
     const auto found =
         known(column, index, before ? std::optional<FileIdentity>(*before) : std::nullopt);
@@ -252,7 +288,7 @@ void StoredBricks::read(std::size_t column,
         return tell_rest(found.error());
     if (!before)
         return tell_rest(before.error());
-    const bool half = layout_.precision == Precision::Half;
+    const bool half = precision(column) == Precision::Half;
     const std::size_t bytes = stored_bytes(column);
     const bool in_place = !half && to.size() == 1;
     std::vector<std::byte> staged;

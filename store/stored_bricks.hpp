@@ -46,7 +46,12 @@ class StoredBricks {
 
     std::size_t steps() const { return layout_.times.size(); }
 
-    std::size_t columns() const { return layout_.columns(); }
+    /// Returns how many there are, with those that were added.
+    std::size_t columns() const;
+
+    /// Adds a column that was made of others and is kept beside them, and returns its number. One that is
+    /// there has the number that it had.
+    std::size_t add(const KeptColumn& column) const;
 
     /// Returns the brick's place in the order of the file.
     std::size_t place_of(std::size_t brick) const { return bricks_.place_on_disk(brick); }
@@ -64,7 +69,7 @@ class StoredBricks {
 
     /// Returns the bytes of a brick in its file.
     std::size_t stored_bytes(std::size_t column) const {
-        return step_file_size(bricks_.nodes_per_brick(), components_of(column), layout_.precision);
+        return step_file_size(bricks_.nodes_per_brick(), components_of(column), precision(column));
     }
 
     /// Some values of a column at a time-step are not finite. Error: as of a brick.
@@ -96,6 +101,14 @@ class StoredBricks {
     using KnownFile = std::shared_ptr<const Known>;
     using Key = std::pair<std::size_t, std::size_t>; ///< time-step, column
 
+    std::shared_ptr<const KeptColumn> kept(std::size_t column) const;
+    std::vector<StepFile> files(std::size_t column, std::size_t index) const;
+    core::Result<std::uint32_t> expected(std::size_t column, std::size_t index) const;
+
+    core::Precision precision(std::size_t column) const {
+        return column < layout_.columns() ? layout_.precision : core::Precision::Single;
+    }
+
     core::Result<KnownFile> known(std::size_t column,
                                   std::size_t index,
                                   const std::optional<core::FileIdentity>& file) const;
@@ -111,8 +124,9 @@ class StoredBricks {
     core::BrickLayout bricks_;
     /// Each guards a file: one thread reads its index for all.
     mutable std::array<std::mutex, 16> examining_;
-    mutable std::mutex mutex_;                            ///< guards recent_
-    mutable std::list<std::pair<Key, KnownFile>> recent_; ///< used last first
+    mutable std::mutex mutex_;                                    ///< guards what follows
+    mutable std::vector<std::shared_ptr<const KeptColumn>> kept_; ///< never fewer
+    mutable std::list<std::pair<Key, KnownFile>> recent_;         ///< used last first
 };
 
 /// Reads that are neighbours in the file become one, of up to 2 MiB, as long as every thread has something to

@@ -1,10 +1,11 @@
 // families.json: which families of stream surfaces are kept beside a store's data, and in which files their
-// values are. It is a file of its own, since store.json is its importer's, which may be writing it.
+// values are.
 #pragma once
 
 #include "core/base/disk.hpp"
 #include "core/base/result.hpp"
 #include "core/surface/family/family_record.hpp"
+#include "store/kept_list.hpp"
 #include "store/value_marks.hpp"
 
 #include <cstddef>
@@ -18,7 +19,7 @@
 
 namespace wakesurf::store {
 
-inline constexpr std::string_view families_file_name = "families.json";
+inline constexpr KeptList families_list{"families.json", "families", "family_"};
 
 /// A dataset has at most so many: each takes as much of the disk as a scalar field.
 inline constexpr std::size_t most_families = 16;
@@ -45,13 +46,6 @@ core::Result<std::vector<StoredFamily>> read_families(const std::filesystem::pat
 /// Returns those families, and those of their steps, that were traced through the present velocities.
 std::vector<StoredFamily> current_families(std::vector<StoredFamily> families,
                                            const ValueMarks& now);
-
-/// Stays free on the disk of a store: families are for everybody, and sessions may be kept on the same disk.
-inline constexpr std::uint64_t disk_reserve = std::uint64_t{64} << 20;
-
-/// Checks that a family can be written. Error: Io where the folder cannot be written to, or its disk has less
-/// room than `bytes` and the reserve.
-core::Result<void> check_room_for_family(const std::filesystem::path& folder, std::uint64_t bytes);
 
 /// Writes the values, then families.json with this one more: a reader sees it whole or not at all, and so
 /// does the next start after a power cut. One process at a time. Its stem and sums are chosen here. Those

@@ -33,8 +33,12 @@ struct FieldInfo {
         0.0, 0.0};       ///< over what has been read so far; of the magnitude for vectors
     std::string unit;    ///< empty where the format has none
     bool family = false; ///< made here, from the velocity: core/surface/family
+    bool mean = false;   ///< made here, over time: core/dataset/mean_record.hpp
     /// False if an import leaves the array out, as it does masks, so that it cannot be requested.
     bool stored = true;
+
+    /// Made here and kept beside the data, so that it can be made again.
+    bool kept() const { return family || mean; }
 };
 
 /// The description of a dataset, without its values.

@@ -57,6 +57,29 @@ void members(Io& io, Of<Io, FamilyRecord>& of) {
 template void members(JsonReader&, FamilyRecord&);
 template void members(JsonWriter&, const FamilyRecord&);
 
+template <class Io>
+void members(Io& io, Of<Io, core::MeanField>& of) {
+    io.needed("name", of.name);
+    io.needed("range", of.range);
+}
+
+template <class Io>
+void members(Io& io, Of<Io, core::MeanRecord>& of) {
+    io.needed("of", of.of);
+    io.some("label", of.label);
+    io.needed("from", of.from);
+    io.needed("to", of.to);
+    io.needed("steps", of.steps);
+    io.some("period", of.period);
+    io.some("phases", of.phases);
+    io.needed("version", of.version);
+    io.needed("fields", of.fields);
+    io.check("fields", of.fields.empty() ? "must not be empty" : "");
+}
+
+template void members(JsonReader&, core::MeanRecord&);
+template void members(JsonWriter&, const core::MeanRecord&);
+
 template <>
 inline constexpr auto words_of<FieldInfo::Source> = std::to_array<Word<FieldInfo::Source>>(
     {{FieldInfo::Source::Cell, "cell"}, {FieldInfo::Source::Point, "point"}});
@@ -69,6 +92,7 @@ void members(Io& io, Of<Io, FieldInfo>& of) {
     io.needed("range", of.range);
     io.some("unit", of.unit);
     io.some("family", of.family);
+    io.some("mean", of.mean);
     io.some("stored", of.stored, {}, true);
 }
 

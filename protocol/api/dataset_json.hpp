@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dataset/dataset_info.hpp"
+#include "core/dataset/mean_record.hpp"
 #include "core/surface/family/family_record.hpp"
 #include "protocol/api/base/json_members.hpp"
 
@@ -23,6 +24,10 @@ inline constexpr auto words_of<core::Precision> = std::to_array<Word<core::Preci
 
 template <class Io>
 void members(Io& io, Of<Io, core::DatasetInfo>& of);
+
+/// A mean over time: the one shape of `mean.make`, `dataset.describe` and what is kept beside the data.
+template <class Io>
+void members(Io& io, Of<Io, core::MeanRecord>& of);
 
 /// A family of stream surfaces: the one shape of `family.make`, `dataset.describe` and what is kept beside the
 /// data.

@@ -161,6 +161,28 @@ void add_slice_options(CLI::App& command, SliceOptions& options);
 /// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
 int run_slice(const SliceOptions& options);
 
+// `wakesurf means`: makes and removes means over time of fields of a dataset, without a server.
+
+struct MeansOptions {
+    std::string dataset;
+    std::vector<std::string> fields;
+    std::string remove;           ///< the name of a field of a mean
+    std::optional<double> from{}; ///< empty: all that is there
+    std::optional<double> to{};
+    std::optional<double> period{};
+    std::size_t phases = 0; ///< 0: as many as the period has time-steps
+    std::string label;
+    std::uint64_t memory = 0; ///< 0: by the machine and the control group
+    int threads = 0;          ///< 0: one a core
+    std::string store;
+    command::SourceOptions taken;
+};
+
+void add_means_options(CLI::App& command, MeansOptions& options);
+
+/// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
+int run_means(const MeansOptions& options);
+
 // `wakesurf info`: describes a dataset without importing it.
 
 struct InfoOptions {

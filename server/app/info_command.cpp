@@ -34,6 +34,7 @@ namespace {
 struct Described {
     core::DatasetInfo info;
     std::vector<core::FamilyRecord> families;
+    std::vector<core::MeanRecord> means{};
     std::string stored{}; ///< how the time-steps of a store lie on the disk
     bool by_brick = false;
     std::string served{}; ///< how a server on this machine would have them in memory, and why
@@ -89,9 +90,9 @@ core::Result<Described> describe_store(const std::filesystem::path& folder) {
                         "same folder goes on",
                         manifest->info.note.empty() ? "" : "; ", ready, total);
     const auto scalars = store::StoreScalars::open(*reader, disk);
-    list_families(manifest->info, *scalars);
+    list_kept_fields(manifest->info, *scalars);
     const auto cells = manifest->layout.brick_cells;
-    Described out{std::move(manifest->info), scalars->families(),
+    Described out{std::move(manifest->info), scalars->families(), scalars->means(),
                   opened_disk->zarr ? std::string("chunks of a Zarr")
                   : cells == 0      ? std::string("whole time-steps")
                                     : fmt::format("bricks of {} cells", cells)};
@@ -99,17 +100,18 @@ core::Result<Described> describe_store(const std::filesystem::path& folder) {
     return out;
 }
 
-/// Adds the families, which are in the store that the source was imported into.
-core::Result<Described> with_families_of_import(const DatasetArgument& source,
-                                                const InfoOptions& options,
-                                                core::DatasetInfo info) {
+/// Adds the families and means, which are in the store that the source was imported into.
+core::Result<Described> with_kept_fields_of_import(const DatasetArgument& source,
+                                                   const InfoOptions& options,
+                                                   core::DatasetInfo info) {
     const auto imported = describe_store(store_folder(default_store_root(), source, options.taken));
     Described out{std::move(info), {}};
     if (!imported)
         return out;
     out.families = imported->families;
+    out.means = imported->means;
     std::ranges::copy_if(imported->info.fields, std::back_inserter(out.info.fields),
-                         &core::FieldInfo::family);
+                         &core::FieldInfo::kept);
     return out;
 }
 
@@ -131,7 +133,7 @@ core::Result<Described> describe(const DatasetArgument& argument, const InfoOpti
                {argument.path, {}, {}, {}, {}, {}, 0, options.memory, options.taken},
                signals.token())
         .and_then([&](core::DatasetInfo info) {
-            return with_families_of_import(argument, options, std::move(info));
+            return with_kept_fields_of_import(argument, options, std::move(info));
         });
 }
 
@@ -164,6 +166,15 @@ void print_family(const core::FamilyRecord& family) {
              step.counts.nodes);
 }
 
+void print_mean(const core::MeanRecord& mean) {
+    tell("  mean      of {} over {} time-steps, {:.12g} to {:.12g}{}\n", mean.of, mean.steps,
+         mean.from, mean.to,
+         mean.phases == 0 ? std::string()
+                          : fmt::format(", by {} phases of {:g}", mean.phases, mean.period));
+    for (const core::MeanField& each : mean.fields)
+        tell("            {}: {:.4g} to {:.4g}\n", each.name, each.range[0], each.range[1]);
+}
+
 json described_json(const Described& described) {
     json out = protocol::written(described.info);
     out["surfaceFields"] = carried_fields(described.info);
@@ -174,6 +185,8 @@ json described_json(const Described& described) {
     }
     for (const core::FamilyRecord& each : described.families)
         out["families"].push_back(protocol::written(each));
+    for (const core::MeanRecord& each : described.means)
+        out["means"].push_back(protocol::written(each));
     return out;
 }
 
@@ -215,7 +228,7 @@ void print_text(const Described& described) {
     if (!info.note.empty())
         tell("  note      {}\n", info.note);
     for (const auto& field : info.fields)
-        if (!field.family)
+        if (!field.kept())
             tell("  field     {}, {} component{}, {} data, {}{}{}{}\n", field.name,
                  field.components, field.components == 1 ? "" : "s",
                  field.source == core::FieldInfo::Source::Cell ? "cell" : "point",
@@ -223,6 +236,8 @@ void print_text(const Described& described) {
                  field.stored ? "" : "; not stored, so surfaces cannot carry it");
     for (const core::FamilyRecord& each : described.families)
         print_family(each);
+    for (const core::MeanRecord& each : described.means)
+        print_mean(each);
     tell("  carried   {}: what surfaces can carry (--fields)\n",
          fmt::join(carried_fields(info), ", "));
     tell("  obstacle  {}\n", info.obstacle ? "yes" : "no");

@@ -159,6 +159,12 @@ int run(int argc, char** argv) {
     add_slice_options(*command("slice", "Write fields on a plane through a dataset to a file",
                                [&] { return run_slice(slice); }),
                       slice);
+    MeansOptions means;
+    add_means_options(*command("means",
+                               "Make the mean and the rms over time of fields of a dataset, or "
+                               "means by phase, as scalar fields",
+                               [&] { return run_means(means); }),
+                      means);
     InfoOptions info;
     auto* const info_command =
         command("info", "Describe a dataset", [&] { return run_info(info); });

@@ -12,11 +12,13 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr std::array<CommandOfMethod, 11> known_commands{{
+constexpr std::array<CommandOfMethod, 13> known_commands{{
     {"dataset.describe", "wakesurf info"},
     {"dataset.open", "wakesurf import"},
     {"family.make", "wakesurf family"},
     {"family.remove", "wakesurf family --remove"},
+    {"mean.make", "wakesurf means"},
+    {"mean.remove", "wakesurf means --remove"},
     {"surface.set", "wakesurf surface"},
     {"session.list", "wakesurf sessions list"},
     {"session.rename", "wakesurf sessions rename"},

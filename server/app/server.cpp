@@ -13,8 +13,8 @@
 #include "server/net/listener.hpp"
 #include "server/net/logins.hpp"
 #include "server/net/methods/dataset_answers.hpp"
-#include "server/net/methods/family_jobs.hpp"
 #include "server/net/methods/import_waiters.hpp"
+#include "server/net/methods/kept_field_jobs.hpp"
 #include "server/net/methods/method.hpp"
 #include "server/net/methods/notifications.hpp"
 #include "server/sessions/journal/backup_coordinator.hpp"
@@ -206,7 +206,7 @@ struct Server::Parts {
                 prober,      grants,        in.clock,
                 in.loop,     journal.get(), [this] { return status(); },
                 &in.metrics, &imports,      withheld_surfaces ? careful_notice(starts->died()) : "",
-                &in.budgets, &families};
+                &in.budgets, &kept_fields};
     }
 
     std::vector<DatasetCount> dataset_counts() const {
@@ -370,7 +370,7 @@ struct Server::Parts {
     CatalogueDatasets datasets{*in.catalogue};
     SessionDirectory sessions{session_services()};
     ImportWaiters imports{*in.catalogue, in.loop};
-    FamilyJobs families{in.loop, pool, *in.catalogue, in.memory.account()};
+    KeptFieldJobs kept_fields{in.loop, pool, *in.catalogue, in.memory.account()};
     Dispatcher dispatcher{
         method_table(), method_context(),
         protocol::RpcLimits{limits::message_bytes, limits::message_depth, limits::batch}};

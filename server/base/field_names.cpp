@@ -49,6 +49,19 @@ std::vector<std::string> vertex_field_names(std::vector<std::string> stored,
     return stored;
 }
 
+bool is_taken(std::string_view name,
+              std::string_view velocity,
+              std::span<const core::FieldInfo> fields) {
+    constexpr std::array<std::string_view, 6> ours{"speed", "s", "t", "x", "y", "z"};
+    const auto& components = core::velocity_component_names;
+    return std::ranges::find(fields, name, &core::FieldInfo::name) != fields.end() ||
+           std::ranges::find(ours, name) != ours.end() || name == velocity ||
+           std::ranges::find(core::derived_vertex_names, name) !=
+               core::derived_vertex_names.end() ||
+           core::find_gradient_field(name) ||
+           std::ranges::find(components, name) != components.end();
+}
+
 std::string field_hint(std::string_view name, std::span<const std::string> there) {
     const std::string meant = protocol::nearest_name(name, there);
     return meant.empty()

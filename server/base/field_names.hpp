@@ -25,6 +25,12 @@ bool has_interval_errors(const core::DatasetInfo& info);
 std::vector<std::string> vertex_field_names(std::vector<std::string> stored,
                                             const core::DatasetInfo& info);
 
+/// Says whether a new field of that name would hide another, or be hidden by it.
+/// @param fields  some of the dataset's
+bool is_taken(std::string_view name,
+              std::string_view velocity,
+              std::span<const core::FieldInfo> fields);
+
 /// Returns "did you mean vorticity? There is p, U, ..."
 std::string field_hint(std::string_view name, std::span<const std::string> there);
 

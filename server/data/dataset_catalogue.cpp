@@ -220,7 +220,7 @@ void DatasetCatalogue::attend(Entry& entry, const std::stop_token& stop) {
         else
             checked_only = true;
         if (!checked_only)
-            entry.refresh_families();         // one may have been made since reading began
+            entry.refresh_kept_fields();      // one may have been made since reading began
     } catch (const std::exception& problem) { // the other datasets go on
         entry.failed = true;
         ++entry.failures;
@@ -371,9 +371,9 @@ bool DatasetCatalogue::start_import(std::string_view dataset) {
     return true;
 }
 
-void DatasetCatalogue::refresh_families(std::string_view dataset) {
+void DatasetCatalogue::refresh_kept_fields(std::string_view dataset) {
     if (Entry* const entry = find_entry(dataset)) {
-        entry->refresh_families();
+        entry->refresh_kept_fields();
         listener_(entry->status.dataset);
     }
 }

@@ -113,8 +113,8 @@ class DatasetCatalogue {
     /// Resumes an import that was stopped. Returns false if it was not stopped.
     bool start_import(std::string_view dataset);
 
-    /// Reads the families in its store again, for find() and status(). Reads a small file.
-    void refresh_families(std::string_view dataset);
+    /// Reads the families and means in its store again, for find() and status(). Reads two small files.
+    void refresh_kept_fields(std::string_view dataset);
 
     /// Imports, with this velocity, a dataset of which nothing is imported because its velocity was not
     /// clear. After a success later servers take it as well, as long as they have the same folder of stores

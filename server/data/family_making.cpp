@@ -1,8 +1,6 @@
 #include "server/data/family_making.hpp"
 
 #include "core/base/rounding.hpp"
-#include "core/field/velocity_gradient.hpp"
-#include "core/surface/builder/vertex_attributes.hpp"
 #include "server/base/field_names.hpp"
 #include "server/remote/remote_dataset.hpp"
 #include "store/stored_families.hpp"
@@ -23,18 +21,11 @@ namespace {
 constexpr std::size_t longest_name = 64;
 constexpr std::size_t most_steps = 64;
 
-/// Returns true if a field of that name would hide another, or be hidden by it.
+/// Returns true if a field that is no family has that name, or what every dataset has.
 bool taken(const LoadedDataset& dataset, const std::string& name) {
-    constexpr std::array<std::string_view, 6> ours{"speed", "s", "t", "x", "y", "z"};
-    const auto& components = core::velocity_component_names;
-    return std::ranges::any_of(
-               dataset.info.fields,
-               [&](const core::FieldInfo& each) { return !each.family && each.name == name; }) ||
-           std::ranges::find(ours, name) != ours.end() || name == dataset.info.velocity ||
-           std::ranges::find(core::derived_vertex_names, name) !=
-               core::derived_vertex_names.end() ||
-           core::find_gradient_field(name) ||
-           std::ranges::find(components, name) != components.end();
+    auto others = dataset.info.fields;
+    std::erase_if(others, [](const core::FieldInfo& each) { return each.family; });
+    return is_taken(name, dataset.info.velocity, others);
 }
 
 Error name_taken(const std::string& name) {
@@ -139,8 +130,8 @@ Result<void> check_family(const LoadedDataset& dataset, const FamilyWish& wish) 
         .and_then([&] { return scalar_of(dataset, wish.request); })
         .and_then([&](const auto&) { return steps_of(dataset, wish.times); })
         .and_then([&](const auto& steps) {
-            return store::check_room_for_family(dataset.store->layout().folder,
-                                                steps.size() * nodes * sizeof(float));
+            return store::check_room_for(dataset.store->layout().folder,
+                                         steps.size() * nodes * sizeof(float), "families");
         })
         .and_then(
             [&] { return store::read_families(dataset.store->layout().folder, core::PosixDisk()); })

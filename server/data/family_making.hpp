@@ -24,7 +24,7 @@ struct FamilyWish {
 
 /// Checks a wish as far as possible without tracing. Loads no data. Error: Unsupported (a built-in flow),
 /// InvalidArgument (an invalid or used name, a missing scalar), OutOfTime, OverLimit, and as
-/// check_room_for_family.
+/// store::check_room_for.
 core::Result<void> check_family(const LoadedDataset& dataset, const FamilyWish& wish);
 
 /// Traces and stores it, in the caller's arena. If it ends early nothing is stored. Error: as check_family,

@@ -237,11 +237,11 @@ core::Result<LoadedDataset> open_store(const std::filesystem::path& folder,
         core::make_stored_flow(cache, std::make_shared<core::SteadyClock>(), simd_wanted());
     LoadedDataset open{std::move(opened->info), flow, cache, reader, std::move(memory)};
     open.ranks = ranked;
-    return with_families(std::move(open), options);
+    return with_kept_fields(std::move(open), options);
 }
 
-void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars) {
-    std::erase_if(info.fields, [](const core::FieldInfo& each) { return each.family; });
+void list_kept_fields(core::DatasetInfo& info, const store::StoreScalars& scalars) {
+    std::erase_if(info.fields, &core::FieldInfo::kept);
     for (const core::FamilyRecord& each : scalars.families()) {
         core::FieldInfo field;
         field.name = each.name;
@@ -252,14 +252,27 @@ void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars) 
                            std::max(field.range[1], step.counts.range[1])};
         info.fields.push_back(std::move(field));
     }
+    for (const core::MeanRecord& mean : scalars.means()) {
+        const auto of = std::ranges::find(info.fields, mean.of, &core::FieldInfo::name);
+        const std::string unit = of == info.fields.end() ? "" : of->unit;
+        for (const core::MeanField& each : mean.fields) {
+            core::FieldInfo field;
+            field.name = each.name;
+            if (!mean.is_energy(each)) // has its square
+                field.unit = unit;
+            field.mean = true;
+            field.range = each.range;
+            info.fields.push_back(std::move(field));
+        }
+    }
 }
 
-LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Options& cache) {
+LoadedDataset with_kept_fields(LoadedDataset open, const core::TimeStepCache::Options& cache) {
     if (!open.store)
         return open;
     auto scalars = store::StoreScalars::open(open.store, open.store->disk());
     if (open.scalars && open.scalars->mark() == scalars->mark()) {
-        list_families(open.info, *open.scalars);
+        list_kept_fields(open.info, *open.scalars);
         return open;
     }
     open.scalars = std::move(scalars);
@@ -268,13 +281,14 @@ LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Optio
         open.levels = std::make_shared<const NodeFields>(
             open.flow, open.store, open.info.velocity,
             NodeFields::Options{cache.account, open.info.fields}, open.scalars);
-    open.family_memory.reset();
-    if (cache.account && open.scalars->family_memory() > 0) {
-        open.family_memory = std::make_shared<core::MemoryAccount::Share>(
+    open.kept_memory.reset();
+    const std::size_t bytes = open.scalars->kept_memory(open.flow->bricks() != nullptr);
+    if (cache.account && bytes > 0) {
+        open.kept_memory = std::make_shared<core::MemoryAccount::Share>(
             cache.account->open(core::MemoryUse::Meshes));
-        open.family_memory->set(open.scalars->family_memory());
+        open.kept_memory->set(bytes);
     }
-    list_families(open.info, *open.scalars);
+    list_kept_fields(open.info, *open.scalars);
     return open;
 }
 
@@ -300,7 +314,7 @@ core::Result<LoadedDataset> open_again(const LoadedDataset& open,
         return open_store(folder, options);
     LoadedDataset whole = open;
     whole.info = manifest->info;
-    return with_families(std::move(whole), options.cache);
+    return with_kept_fields(std::move(whole), options.cache);
 }
 
 bool still_there(const LoadedDataset& open) {

@@ -34,7 +34,8 @@ struct LoadedDataset {
     std::shared_ptr<const core::LevelSource> levels{}; ///< null for a built-in flow
     /// The scalars of the store; null for a built-in flow.
     std::shared_ptr<const store::StoreScalars> scalars{};
-    std::shared_ptr<core::MemoryAccount::Share> family_memory{}; ///< of its families; likewise
+    std::shared_ptr<core::MemoryAccount::Share>
+        kept_memory{}; ///< of its families and means; likewise
     /// The job that holds its bricks; null without one.
     std::shared_ptr<const RankedStore> ranks{};
     std::string flow_text{}; ///< of a built-in flow, behind `flow:`; empty: a store
@@ -91,11 +92,11 @@ core::Result<LoadedDataset> open_again(const LoadedDataset& open,
                                        const std::filesystem::path& folder,
                                        const StoreOptions& options);
 
-/// Replaces the families among the fields of the dataset.
-void list_families(core::DatasetInfo& info, const store::StoreScalars& scalars);
+/// Replaces the families and means among the fields of the dataset.
+void list_kept_fields(core::DatasetInfo& info, const store::StoreScalars& scalars);
 
-/// Returns the dataset with the families that are in its store now.
-LoadedDataset with_families(LoadedDataset open, const core::TimeStepCache::Options& cache);
+/// Returns the dataset with the families and means that are in its store now.
+LoadedDataset with_kept_fields(LoadedDataset open, const core::TimeStepCache::Options& cache);
 
 /// Says whether the store on the disk has all values of the open one, and perhaps more.
 bool still_there(const LoadedDataset& open);

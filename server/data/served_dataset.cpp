@@ -3,6 +3,7 @@
 #include "server/base/log_text.hpp"
 #include "store/store_layout.hpp"
 #include "store/stored_families.hpp"
+#include "store/stored_means.hpp"
 
 #include <spdlog/spdlog.h>
 #include <sys/stat.h>
@@ -37,8 +38,8 @@ SourceWatch::SourceWatch(fs::path source, bool is_store)
     folder_ = is_store_ || fs::is_directory(source_, error) ? source_ : source_.parent_path();
     if (!is_store_)
         return;
-    for (const auto name :
-         {store::manifest_file_name, store::checksums_file_name, store::families_file_name})
+    for (const auto name : {store::manifest_file_name, store::checksums_file_name,
+                            store::families_list.file, store::means_list.file})
         always_.push_back(folder_ / name);
 }
 
@@ -208,19 +209,19 @@ Error incomplete(std::size_t ready, std::size_t total) {
             "import it again into the same store: the import resumes where the last one ended"};
 }
 
-std::vector<std::string> family_names(const LoadedDataset& open) {
-    std::vector<std::string> names;
-    if (open.scalars)
-        for (const core::FamilyRecord& each : open.scalars->families())
-            names.push_back(each.name);
-    return names;
-}
-
 double share(std::size_t part, std::size_t whole) {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
 }
 
 } // namespace
+
+void ServedDataset::name_kept_fields() {
+    status.families.clear();
+    status.means.clear();
+    for (const core::FieldInfo& each : open->info.fields)
+        if (each.kept())
+            (each.family ? status.families : status.means).push_back(each.name);
+}
 
 DatasetState ServedDataset::state() const {
     const std::scoped_lock lock(guard_);
@@ -310,7 +311,7 @@ bool ServedDataset::show(const store::ImportProgress& progress,
     if (first) {
         open = std::move(first);
         status.values = values_of(*open);
-        status.families = family_names(*open);
+        name_kept_fields();
     }
     if (settled(status.state))
         return false;
@@ -334,6 +335,7 @@ void ServedDataset::finish(core::Result<LoadedDataset> opened, Ending how) {
         open.reset();
         status.values.clear();
         status.families.clear();
+        status.means.clear();
         status.steps_ready = 0;
     }
     if (!opened) {
@@ -352,11 +354,11 @@ void ServedDataset::finish(core::Result<LoadedDataset> opened, Ending how) {
     status.steps_total = opened->info.times.size();
     status.progress = how == Ending::Whole ? 1.0 : share(ready, status.steps_total);
     status.values = values_of(*opened);
-    status.families = family_names(*opened);
     open = std::make_shared<const LoadedDataset>(std::move(*opened));
+    name_kept_fields();
 }
 
-void ServedDataset::refresh_families() {
+void ServedDataset::refresh_kept_fields() {
     for (;;) {
         const auto before = [&] {
             const std::scoped_lock lock(guard_);
@@ -364,12 +366,12 @@ void ServedDataset::refresh_families() {
         }();
         if (!before)
             return;
-        auto now = std::make_shared<const LoadedDataset>(with_families(*before, options_.cache));
+        auto now = std::make_shared<const LoadedDataset>(with_kept_fields(*before, options_.cache));
         const std::scoped_lock lock(guard_);
         if (open != before) // opened again meanwhile, perhaps without the newest of them
             continue;
         open = std::move(now);
-        status.families = family_names(*open);
+        name_kept_fields();
         return;
     }
 }

@@ -94,6 +94,7 @@ struct DatasetStatus {
     /// The estimated time until the import ends, in s; empty while unknown.
     std::optional<double> remaining;
     std::vector<std::string> families; ///< names of those stored beside its data
+    std::vector<std::string> means;    ///< names of the fields of means stored there
     /// The text that identifies its values (store::ValueMarks); empty: a built-in flow.
     std::string values;
     /// The velocities to choose from (choose_velocity), if it failed because its velocity is not clear.
@@ -103,7 +104,7 @@ struct DatasetStatus {
 };
 
 /// Handles one dataset. Methods are for the thread that owns it (`busy`), but for state(), taken_now() and
-/// refresh_families().
+/// refresh_kept_fields().
 class ServedDataset {
   public:
     /// The end of an import. Stopped: the caller that stops and starts it sets the state.
@@ -125,8 +126,8 @@ class ServedDataset {
     /// Shows progress. Returns false if there is nothing new.
     bool show(const store::ImportProgress& progress, const std::filesystem::path& folder);
     void finish(core::Result<LoadedDataset> opened, Ending how = Ending::Whole);
-    /// Reads the families that are in the store now. For any thread, one at a time.
-    void refresh_families();
+    /// Reads the families and means that are in the store now. For any thread, one at a time.
+    void refresh_kept_fields();
 
     DatasetArgument argument;
     command::SourceOptions taken; ///< its velocity guarded as the status is
@@ -149,6 +150,8 @@ class ServedDataset {
 
   private:
     void notice_replacement();
+    /// REQUIRES: the lock.
+    void name_kept_fields();
     /// REQUIRES: the lock.
     void keep_error(const core::Error& error);
 

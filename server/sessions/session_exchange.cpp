@@ -69,7 +69,7 @@ std::string identity_of(const core::DatasetInfo& info) {
     if (info.grid == core::GridKind::Analytic)
         out += " " + info.name;
     for (const core::FieldInfo& each : info.fields)
-        if (!each.family) // a family can be made of the same data again
+        if (!each.kept()) // it can be made of the same data again
             out += fmt::format(";{}:{}", each.name, each.components);
     return out;
 }

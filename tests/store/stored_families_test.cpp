@@ -142,8 +142,8 @@ TEST(StoredFamilies, LeaveAReserveOnTheDisk) {
     constexpr std::uint64_t mebi = std::uint64_t{1} << 20;
     const std::uint64_t free = std::filesystem::space(folder.path()).available;
     ASSERT_GT(free, 200 * mebi);
-    EXPECT_TRUE(check_room_for_family(folder.path(), free - 160 * mebi));
-    const auto refused = check_room_for_family(folder.path(), free - mebi);
+    EXPECT_TRUE(check_room_for(folder.path(), free - 160 * mebi, "families"));
+    const auto refused = check_room_for(folder.path(), free - mebi, "families");
     ASSERT_FALSE(refused) << "it would fit, but leave less than 64 MiB";
     EXPECT_NE(refused.error().message.find("MiB"), std::string::npos);
 }

@@ -25,6 +25,7 @@ import { OpenDataset } from './session/openDataset.ts';
 import { connectPainting } from './session/tools/painting.ts';
 import { People } from './session/people/people.ts';
 import { Pointing, showPeople } from './session/people/peopleInPicture.ts';
+import { Means } from './session/means.ts';
 import { Families } from './session/surface/families.ts';
 import { playOnce } from './session/time/firstPlay.ts';
 import { chooseKind } from './session/time/kindChoice.ts';
@@ -155,7 +156,17 @@ function start(app: App): void {
     });
     const slices = loadSlices({ state, scene, server, worker, edits, time: () => playback.time.value });
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
-    const events = new ServerEvents({ state, feed, outcomes, people, progress, families, dataset, controller });
+    const means = new Means({ state, worker });
+    const events = new ServerEvents({
+        state,
+        feed,
+        outcomes,
+        people,
+        progress,
+        longCalls: [families, means],
+        dataset,
+        controller,
+    });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar, { state, worker });
     const film = new FilmMaker({ state, view, worker, edits, playback, bodyFields, slices, figure });
@@ -211,6 +222,7 @@ function start(app: App): void {
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
             slices: slices.model,
+            means: { state, means },
             look: { state, view, edits, scene, bodyFields, ownCopy },
             bookmarks: { state, views, calls, clock },
             probe: { state, view, probing, scene },

@@ -24,6 +24,8 @@ nlohmann::json dataset_entry(const DatasetStatus& status) {
         out["values"] = status.values;
     if (!status.families.empty())
         out["families"] = status.families;
+    if (!status.means.empty())
+        out["means"] = status.means;
     if (status.state == DatasetState::Importing) {
         out["progress"] = status.progress;
         if (status.remaining)
@@ -55,9 +57,12 @@ nlohmann::json description_json(const OpenDataset& open) {
     out["lattice"] = lattice_json(open.lattice);
     out["smooth"] = open.flow->has_smooth();
     out["surfaceFields"] = field_names(open);
-    if (open.scalars)
-        for (const core::FamilyRecord& each : open.scalars->families())
-            out["families"].push_back(protocol::written(each));
+    if (!open.scalars)
+        return out;
+    for (const core::FamilyRecord& each : open.scalars->families())
+        out["families"].push_back(protocol::written(each));
+    for (const core::MeanRecord& each : open.scalars->means())
+        out["means"].push_back(protocol::written(each));
     return out;
 }
 

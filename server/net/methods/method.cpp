@@ -75,9 +75,9 @@ Reply held_until_settled(Reply reply, Journal& journal) {
 std::vector<Method> method_table() {
     std::vector<Method> table;
     for (auto part :
-         {server_methods, dataset_methods, family_methods, session_methods, session_keeping_methods,
-          share_methods, presence_methods, rake_methods, surface_methods, subscription_methods,
-          wait_methods, mark_methods, history_methods, time_methods})
+         {server_methods, dataset_methods, family_methods, mean_methods, session_methods,
+          session_keeping_methods, share_methods, presence_methods, rake_methods, surface_methods,
+          subscription_methods, wait_methods, mark_methods, history_methods, time_methods})
         std::ranges::move(part(), std::back_inserter(table));
     return table;
 }

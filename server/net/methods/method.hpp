@@ -27,7 +27,7 @@
 namespace wakesurf::server {
 
 class DatasetAnswers;
-class FamilyJobs;
+class KeptFieldJobs;
 class ImportWaiters;
 
 /// Is the one answer to a call. Move-only; one that goes unanswered answers with an internal error.
@@ -75,9 +75,9 @@ struct MethodContext {
     std::function<ServerStatus()> status{}; ///< how the server stands; may be empty
     Metrics* metrics = nullptr;             ///< null: calls are not counted
     ImportWaiters* imports = nullptr;       ///< null: datasets stay as they are
-    std::string notice{};           ///< a notification for each client that joins; empty: none
-    Budgets* budgets = nullptr;     ///< null: nothing is limited
-    FamilyJobs* families = nullptr; ///< null: none are made
+    std::string notice{};       ///< a notification for each client that joins; empty: none
+    Budgets* budgets = nullptr; ///< null: nothing is limited
+    KeptFieldJobs* kept_fields = nullptr; ///< null: none are made
     /// Made once for all calls.
     std::shared_ptr<DatasetAnswers> answers = new_dataset_answers();
 };
@@ -140,6 +140,7 @@ Reply held_until_settled(Reply reply, Journal& journal);
 std::vector<Method> server_methods();
 std::vector<Method> dataset_methods();
 std::vector<Method> family_methods();
+std::vector<Method> mean_methods();
 std::vector<Method> session_methods();
 std::vector<Method> session_keeping_methods();
 std::vector<Method> share_methods();

@@ -45,7 +45,7 @@ FamilyWish wish(const std::string& name, core::FamilyRequest request) {
 }
 
 std::vector<float> kept(const LoadedDataset& dataset, const std::string& name, std::size_t step) {
-    const auto now = with_families(dataset, {});
+    const auto now = with_kept_fields(dataset, {});
     const auto slab = now.scalars->scalar_values(now.scalars->find(name).value(), step, {}).value();
     const auto* begin = reinterpret_cast<const float*>(slab->bytes().data());
     return {begin, begin + slab->bytes().size() / sizeof(float)};
@@ -90,7 +90,7 @@ TEST(FamilyMaking, IsConstantAlongCurvesDownstream) {
     const auto dataset =
         generated("cylinder", {{-4, -2, -1}, {0.125, 0.125, 0.25}, {65, 33, 9}}, folder);
     ASSERT_TRUE(make_family(dataset, wish("psi", {core::FamilyInflow{}, "y"}), {}));
-    const auto now = with_families(dataset, {});
+    const auto now = with_kept_fields(dataset, {});
     std::vector<core::Curve> curves;
     for (int i = 0; i < 40; ++i) {
         core::Curve curve; // those closer to the body pass where the scalar changes within a cell
@@ -139,7 +139,7 @@ TEST(FamilyMaking, BeginsWithAFieldOfTheDatasetAndOfAnotherFamily) {
     const TemporaryFolder folder;
     const auto dataset = generated("uniform?u=1", small, folder);
     ASSERT_TRUE(make_family(dataset, wish("height", {core::FamilyInflow{}, "z"}), {}));
-    const auto now = with_families(dataset, {});
+    const auto now = with_kept_fields(dataset, {});
     ASSERT_TRUE(
         make_family(now, wish("again", {core::FamilyPlane{{1, 0, 0}, {1, 0, 0}}, "height"}), {}));
     EXPECT_EQ(kept(dataset, "again", 0), kept(dataset, "height", 0));
@@ -169,7 +169,7 @@ TEST(FamilyMaking, EndsWhenItIsStoppedAndKeepsNothing) {
         make_family(dataset, wish("psi", {core::FamilyInflow{}, "y"}), stop.get_token());
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().code, Error::Code::Cancelled);
-    EXPECT_TRUE(with_families(dataset, {}).scalars->families().empty());
+    EXPECT_TRUE(with_kept_fields(dataset, {}).scalars->families().empty());
 }
 
 TEST(FamilyMaking, CountsItsMemoryAndRefusesWhatDoesNotFit) {
@@ -222,13 +222,13 @@ TEST(FamilyMaking, RefusesWhatMakesNoFamilyAndLosesNothing) {
         if (each.wish.name == "there") {
             ASSERT_TRUE(make_family(dataset, each.wish, {}));
         }
-        dataset = with_families(dataset, {});
+        dataset = with_kept_fields(dataset, {});
         const auto before = dataset.scalars->names();
         const auto made = make_family(dataset, each.wish, {});
         ASSERT_FALSE(made);
         EXPECT_EQ(made.error().code, each.code) << made.error().message;
         EXPECT_NE(made.error().message.find(each.words), std::string::npos) << made.error().message;
-        EXPECT_EQ(with_families(dataset, {}).scalars->names(), before);
+        EXPECT_EQ(with_kept_fields(dataset, {}).scalars->names(), before);
     }
 }
 
@@ -240,7 +240,7 @@ TEST(FamilyMaking, RefusesADatasetWithoutInflow) {
     const auto made = make_family(dataset, wish("psi", {core::FamilyInflow{}, "y"}), {});
     ASSERT_FALSE(made);
     EXPECT_NE(made.error().message.find("no inflow"), std::string::npos) << made.error().message;
-    EXPECT_TRUE(with_families(dataset, {}).scalars->families().empty());
+    EXPECT_TRUE(with_kept_fields(dataset, {}).scalars->families().empty());
 }
 
 TEST(FamilyMaking, RefusesABuiltInFlow) {

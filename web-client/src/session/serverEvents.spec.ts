@@ -18,7 +18,7 @@ function bench() {
         feed: { done: (_surface, _epoch, error) => void done.push(error), progressed: unheard, ranged: unheard },
         people: { patched: unheard },
         progress: { progressed: (...what) => void progressed.push(what) },
-        families: { progressed: unheard },
+        longCalls: [{ progressed: unheard }],
         dataset: { patched: (entry) => void datasets.push(entry), stepsPatched: unheard },
         controller: { patched: unheard, deleted: async () => void ++deleted },
     });

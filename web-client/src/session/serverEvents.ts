@@ -7,7 +7,7 @@ import type { WorkerEvent } from '../worker/workerClient.ts';
 import type { OpenDataset } from './openDataset.ts';
 import type { People } from './people/people.ts';
 import type { SessionController } from './sessionController.ts';
-import type { Families } from './surface/families.ts';
+import type { LongCall } from './base/longCall.ts';
 import type { SurfaceFeed } from './surface/surfaceFeed.ts';
 import type { SurfaceOutcomes, SurfaceProgress } from './surface/surfaceProgress.ts';
 
@@ -25,7 +25,7 @@ export interface ServerEventsOptions {
     outcomes: Pick<SurfaceOutcomes, 'done'>;
     people: Pick<People, 'patched'>;
     progress: Pick<SurfaceProgress, 'progressed'>;
-    families: Pick<Families, 'progressed'>;
+    longCalls: readonly Pick<LongCall, 'progressed'>[];
     dataset: Pick<OpenDataset, 'patched' | 'stepsPatched'>;
     controller: Pick<SessionController, 'patched' | 'deleted'>;
 }
@@ -39,7 +39,7 @@ export class ServerEvents {
     }
 
     dispatch(notification: Notification): void {
-        const { feed, outcomes, dataset, people, progress, families, controller } = this.options;
+        const { feed, outcomes, dataset, people, progress, longCalls, controller } = this.options;
         switch (notification.method) {
             case 'session.patched':
                 controller.patched(notification.session, notification.patches);
@@ -70,7 +70,7 @@ export class ServerEvents {
                 break;
             case '$/progress': {
                 const { percentage, message = '', time, quadsSoFar, remaining, seconds } = notification.value;
-                families.progressed(notification.token, percentage ?? 0);
+                for (const each of longCalls) each.progressed(notification.token, percentage ?? 0);
                 progress.progressed(notification.token, {
                     ...{ fraction: percentage === undefined ? null : percentage / 100, message },
                     ...{ time: time ?? null, quads: quadsSoFar ?? null },

@@ -35,6 +35,7 @@ import './sessions/sessionHead.ts';
 import type { SessionHeadModel } from './sessions/sessionHead.ts';
 import './surface/surfacePanel.ts';
 import type { SurfaceModel } from './surface/surfacePanel.ts';
+import type { MeansModel } from './slices/meansPanel.ts';
 import type { SlicesModel } from './slices/slicesPanel.ts';
 import './view/surroundingsPanel.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
@@ -46,6 +47,7 @@ import { isolated } from '../state/announcements.ts';
 
 // Nobody needs it before the first picture.
 void import('./share/linksPanel.ts');
+void import('./slices/meansPanel.ts');
 
 export interface ExportModel {
     picture: PictureExportModel;
@@ -92,6 +94,7 @@ export interface PanelModel {
     rake: RakeModel;
     /** Null: not loaded yet. */
     slices: ReadonlySignal<SlicesModel | null>;
+    means: MeansModel;
     look: LookModel;
     bookmarks: BookmarksModel;
     probe: ProbeModel;
@@ -127,6 +130,12 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="slices-head">
                 <h2 id="slices-head">Slices</h2>
                 ${model.slices.value === null ? nothing : html`<wakesurf-slices .model=${model.slices.value}></wakesurf-slices>`}
+            </section>
+            <section aria-labelledby="means-head" ?hidden=${(model.state.dataset.value?.times.length ?? 0) < 2}>
+                <details id="means">
+                    <summary><h2 id="means-head">Means over time</h2></summary>
+                    <wakesurf-means .model=${model.means}></wakesurf-means>
+                </details>
             </section>
             <section aria-labelledby="rake-head">
                 <details open>

@@ -48,6 +48,8 @@ const std::map<std::string, Row> rows{
     {"dataset.open", {Role::Viewer, About::Nothing}},
     {"family.make", {Role::Editor, About::Nothing}},
     {"family.remove", {Role::Editor, About::Server}}, // other sessions may show it
+    {"mean.make", {Role::Editor, About::Nothing}},
+    {"mean.remove", {Role::Editor, About::Server}}, // other sessions may show it
     {"cache.status", {Role::Viewer, About::Nothing}},
     {"probe.sample", {Role::Viewer, About::Nothing}},
     {"session.create", {Role::Editor, About::Server}},

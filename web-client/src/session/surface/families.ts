@@ -1,19 +1,14 @@
 // Makes a family of stream surfaces from the page: a scalar that the flow carries, from the chosen rake or
 // from the inflow, as a field of the dataset. The chosen surface then shows a level set of it.
-import { signal } from '@preact/signals-core';
 import type { FamilyMakeParams } from '../../protocol/generated/family.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { LongCall } from '../base/longCall.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { ClockControl } from '../time/clockControl.ts';
 
 /** The rake, or which coordinate of the inflow. */
 export type FamilyChoice = 'rake' | 'x' | 'y' | 'z';
-
-export interface FamilyStatus {
-    making: boolean;
-    words: string;
-}
 
 export interface FamiliesOptions {
     state: Pick<AppState, 'dataset' | 'rakeShape'>;
@@ -24,51 +19,27 @@ export interface FamiliesOptions {
     time: () => number;
 }
 
-export class Families {
-    readonly status = signal<FamilyStatus | null>(null);
+export class Families extends LongCall {
     private readonly options: FamiliesOptions;
-    private tokens = 0;
-    private token = '';
-    private under: AbortController | null = null;
 
     constructor(options: FamiliesOptions) {
+        super('family');
         this.options = options;
-    }
-
-    /** From the notification $/progress. */
-    progressed(token: string | number, percentage: number): void {
-        if (token !== this.token || this.status.value?.making !== true) return;
-        this.tell(true, `${Math.round(percentage)} %`);
     }
 
     async make(choice: FamilyChoice): Promise<void> {
         const { state, worker, edits, clock } = this.options;
         const wanted = this.wanted(choice);
-        if (wanted === null || this.under !== null) return;
-        this.under = new AbortController();
-        this.token = wanted.workDoneToken as string;
-        this.tell(true);
-        try {
-            const { name, steps } = await worker.call('family.make', wanted, this.under.signal);
+        if (wanted === null) return;
+        await this.run(async (workDoneToken, signal) => {
+            const { name, steps } = await worker.call('family.make', { ...wanted, workDoneToken }, signal);
             const { time, range, nodes, reached } = steps[0]!;
             if (state.dataset.value!.times.length > 1) clock.set(time);
             // The level of a curve's own surface is 0.
             const level = choice === 'rake' ? 0 : Number(((range[0] + range[1]) / 2).toPrecision(4));
             edits.changeSurface({ kind: 'level', field: name, level });
-            this.tell(false, `${name}: ${nodes - reached} of ${nodes} nodes have no value.`);
-        } catch (error) {
-            this.tell(false, String((error as Error).message));
-        } finally {
-            this.under = null;
-        }
-    }
-
-    private tell(making: boolean, words = ''): void {
-        this.status.value = { making, words };
-    }
-
-    cancel(): void {
-        this.under?.abort();
+            return `${name}: ${nodes - reached} of ${nodes} nodes have no value.`;
+        });
     }
 
     private wanted(choice: FamilyChoice): FamilyMakeParams | null {
@@ -78,7 +49,6 @@ export class Families {
         const common = {
             dataset: dataset.dataset,
             name: freeName(dataset.surfaceFields, choice === 'rake' ? 'rake_family' : `${choice}_family`),
-            workDoneToken: `family ${++this.tokens}`,
             time: time(),
         };
         if (choice !== 'rake') return { ...common, from: 'inflow', scalar: choice };
