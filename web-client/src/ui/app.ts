@@ -185,6 +185,17 @@ export class App extends SignalElement {
         .folded wakesurf-panel {
             display: none;
         }
+        /* Seen by those who come to it by keyboard. */
+        .skip:not(:focus-visible) {
+            position: absolute;
+            clip-path: inset(50%);
+        }
+        .skip:focus-visible {
+            position: absolute;
+            z-index: 2;
+            left: 12px;
+            top: 12px;
+        }
         .failure {
             display: grid;
             place-content: center;
@@ -294,6 +305,11 @@ export class App extends SignalElement {
         if (control !== null) leaveKeys(control);
     }
 
+    /** Past the picture and all settings, which are some seventy stops of Tab. */
+    private skipToTime(): void {
+        this.renderRoot.querySelector('wakesurf-time-bar')?.shadowRoot?.querySelector<HTMLElement>('button:enabled')?.focus();
+    }
+
     private numberTyped({ detail: refusal }: NumberTyped): void {
         const { problems } = this.model.value!.state;
         if (refusal === null) problems.solved(NumberTyped.type);
@@ -311,7 +327,8 @@ export class App extends SignalElement {
         }
         if (model === null) return html`<main></main>`;
         const plots = model.plots.value;
-        return html`<div class=${`layout${model.viewButtons.view.panelFolded.value ? ' folded' : ''}${plots === null ? '' : ' plotting'}`} @number-typed=${this.numberTyped} @click=${this.clicked}>
+        return html`<button type="button" class="skip" @click=${this.skipToTime}>Skip to the time controls</button>
+            <div class=${`layout${model.viewButtons.view.panelFolded.value ? ' folded' : ''}${plots === null ? '' : ' plotting'}`} @number-typed=${this.numberTyped} @click=${this.clicked}>
             <main>
                 ${this.canvas} ${this.labels}
                 <wakesurf-scalar-bar .model=${model.scalarBar} @pointerdown=${this.handOn}></wakesurf-scalar-bar>

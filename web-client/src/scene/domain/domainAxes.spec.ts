@@ -1,7 +1,7 @@
 import { PerspectiveCamera } from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { type Bounds, boxEdges, centreOf, clampedToPicture, edgesBeforeBox, labelledEdges } from './domainAxes.ts';
+import { type AxisEdge, type Bounds, boxEdges, centreOf, clampedToPicture, edgesBeforeBox, labelledEdges } from './domainAxes.ts';
 import { projectToScreen } from '../base/view.ts';
 
 const bounds: Bounds = [-3, 13, -4, 4, 0, 6];
@@ -16,9 +16,10 @@ function cameraAt(eye: Vec3, at: Vec3): PerspectiveCamera {
     return camera;
 }
 
-function edgesSeenFrom(eye: Vec3, at: Vec3 = centreOf(bounds)): ReturnType<typeof labelledEdges> {
+/** The best of each axis. */
+function edgesSeenFrom(eye: Vec3, at: Vec3 = centreOf(bounds)): AxisEdge[] {
     const camera = cameraAt(eye, at);
-    return labelledEdges(bounds, eye, (p) => projectToScreen(p, camera, size), size);
+    return labelledEdges(bounds, eye, (p) => projectToScreen(p, camera, size), size).flatMap((each) => each.slice(0, 1));
 }
 
 describe('labelledEdges', () => {

@@ -22,7 +22,8 @@ export interface AxisEdge {
 const leastSeenPx = 60;
 
 /**
- * Of each edge the part that is seen. For each axis one on the outline of the box, if enough of one is seen; else another.
+ * Of each edge the part that is seen. For each axis all of which any is, the best first: on the outline of the box, if enough of it is
+ * seen, and where axes are looked for.
  * @param project canvas position, null behind the camera
  * @param eye     position of the camera, far away without perspective
  */
@@ -31,28 +32,22 @@ export function labelledEdges(
     eye: Vec3,
     project: (point: Vec3) => ScreenPoint | null,
     size: ScreenSize,
-): AxisEdge[] {
+): AxisEdge[][] {
     const centre = project(centreOf(bounds)) ?? { x: size.width / 2, y: size.height / 2 };
-    const edges: AxisEdge[] = [];
-    for (const axis of [0, 1, 2] as const) {
-        let best: AxisEdge | null = null;
-        let bestScore = Number.NEGATIVE_INFINITY;
-        for (const { ends, outline } of parallelEdges(bounds, axis, eye)) {
+    return ([0, 1, 2] as const).map((axis) => {
+        const edges = parallelEdges(bounds, axis, eye).flatMap(({ ends, outline }) => {
             const seen = seenPart(ends, project, size);
-            if (seen === null) continue;
+            if (seen === null) return [];
             const { from, to, a, b } = seen;
             const middle = { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
             const outward = awayFrom(a, b, centre, middle);
             const room = Math.hypot(b.x - a.x, b.y - a.y) >= leastSeenPx;
-            // Lower is better, and for upright edges further left: where axes are looked for.
+            // Lower is better, and for upright edges further left.
             const score = middle.y - 0.6 * middle.x + (outline && room ? 2e5 : room ? 1e5 : 0);
-            if (score <= bestScore) continue;
-            bestScore = score;
-            best = { axis, from, to, outward };
-        }
-        if (best !== null) edges.push(best);
-    }
-    return edges;
+            return [{ edge: { axis, from, to, outward }, score }];
+        });
+        return edges.sort((one, other) => other.score - one.score).map(({ edge }) => edge);
+    });
 }
 
 /** Returns the part of a straight line that is seen, its ends in space and in the picture; null: none of it is. */

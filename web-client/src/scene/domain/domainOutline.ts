@@ -5,7 +5,7 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import { type AxisEdge, type Bounds, boxEdges, centreOf, clampedToPicture, edgesBeforeBox, labelledEdges } from './domainAxes.ts';
 import { type Cover, isCovered, Labels } from '../base/labels.ts';
 import type { Layer, ScreenPoint, ScreenSize, View } from '../base/view.ts';
-import { niceTicks } from '../base/numbers.ts';
+import { niceTicks, type Ticks } from '../base/numbers.ts';
 import { tintOf, WideLines } from '../base/wideLines.ts';
 
 const axisNames = ['x', 'y', 'z'];
@@ -60,8 +60,11 @@ export class DomainOutline implements Layer {
         this.placed = [];
         this.size = view.size;
         const { width, height } = view.size;
-        for (const edge of labelledEdges(this.bounds, eye, project, { width: width - buttonsPx, height })) {
-            this.labelEdge(edge, project);
+        const edges = labelledEdges(this.bounds, eye, project, { width: width - buttonsPx, height });
+        for (const axis of edges) {
+            // Where the bar of colours or other numbers lie over the best, another.
+            const edge = axis.find((each) => this.numbersOf(each, project).length >= 2) ?? axis[0];
+            if (edge !== undefined) this.labelEdge(edge, project);
         }
         this.labels.end();
     }
@@ -96,37 +99,56 @@ export class DomainOutline implements Layer {
     private labelEdge(edge: AxisEdge, project: (point: Vec3) => ScreenPoint | null): void {
         const [a, b] = [project(edge.from), project(edge.to)];
         if (a === null || b === null) return;
-        const lengthPx = Math.hypot(b.x - a.x, b.y - a.y);
-        // An axis seen end-on has no room for numbers.
-        if (lengthPx < 30) return;
-        const [low, high] = [edge.from[edge.axis], edge.to[edge.axis]];
-        const { ticks, shared } = niceTicks(low, high, Math.min(8, lengthPx / pxPerTick));
         // First, because a number less is no loss.
         const name = axisNames[edge.axis] ?? '';
+        const { shared } = this.ticksOf(edge, a, b);
         const words = [name, this.unit === '' ? '' : `(${this.unit})`, shared].filter((each) => each !== '').join(' ');
         for (const part of nameParts) {
             const at = { x: a.x + part * (b.x - a.x), y: a.y + part * (b.y - a.y) };
-            if (this.place(at, edge.outward, nameGapPx, words, `axis-name axis-${name}`)) break;
+            const place = this.roomFor(at, edge.outward, nameGapPx, words.length * halfNameSignPx);
+            if (place === null) continue;
+            this.place(place, words, `axis-name axis-${name}`);
+            break;
         }
-        for (const tick of ticks) {
-            const at: Vec3 = [...edge.from];
-            at[edge.axis] = tick.value;
-            this.place(project(at), edge.outward, tickGapPx, tick.label, 'tick');
+        for (const { label, at } of this.numbersOf(edge, project)) {
+            const place = this.roomFor(at, edge.outward, tickGapPx, label.length * halfSignPx);
+            if (place !== null) this.place(place, label, 'tick');
         }
     }
 
-    private place(at: ScreenPoint | null, outward: ScreenPoint, gapPx: number, text: string, className: string): boolean {
-        if (at === null) return false;
-        const halfWidth = text.length * (className === 'tick' ? halfSignPx : halfNameSignPx);
+    private ticksOf({ axis, from, to }: AxisEdge, a: ScreenPoint, b: ScreenPoint): Ticks {
+        const lengthPx = Math.hypot(b.x - a.x, b.y - a.y);
+        // An axis seen end-on has no room for numbers.
+        return lengthPx < 30 ? { ticks: [], shared: '' } : niceTicks(from[axis], to[axis], Math.min(8, lengthPx / pxPerTick));
+    }
+
+    /** Returns the numbers for which there is room. */
+    private numbersOf(edge: AxisEdge, project: (point: Vec3) => ScreenPoint | null): { label: string; at: ScreenPoint }[] {
+        const [a, b] = [project(edge.from), project(edge.to)];
+        if (a === null || b === null) return [];
+        return this.ticksOf(edge, a, b).ticks.flatMap(({ value, label }) => {
+            const point: Vec3 = [...edge.from];
+            point[edge.axis] = value;
+            const at = project(point);
+            return at === null || this.roomFor(at, edge.outward, tickGapPx, label.length * halfSignPx) === null
+                ? []
+                : [{ label, at }];
+        });
+    }
+
+    /** Returns where words beside a place have room; null: something else is there. */
+    private roomFor(at: ScreenPoint, outward: ScreenPoint, gapPx: number, halfWidth: number): PlacedWords | null {
         const place = clampedToPicture({ x: at.x + outward.x * gapPx, y: at.y + outward.y * gapPx }, at, this.size, halfWidth);
         const words = { ...place, halfWidth };
         const half = { width: halfWidth, height: halfHeightPx };
         const scale = { ...scaleCover, right: this.size.width - scaleCover.width, bottom: 0 };
-        if ([this.cover, scale].some((cover) => cover !== null && isCovered(place, half, cover, this.size))) return false;
-        if (this.placed.some((other) => collide(other, words))) return false;
+        if ([this.cover, scale].some((cover) => cover !== null && isCovered(place, half, cover, this.size))) return null;
+        return this.placed.some((other) => collide(other, words)) ? null : words;
+    }
+
+    private place(words: PlacedWords, text: string, className: string): void {
         this.placed.push(words);
-        this.labels.place(place, text, className);
-        return true;
+        this.labels.place(words, text, className);
     }
 }
 

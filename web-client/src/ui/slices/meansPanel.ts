@@ -7,7 +7,7 @@ import { shortNumber } from '../../scene/base/numbers.ts';
 import type { Means, MeanWish } from '../../session/means.ts';
 import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
-import { checkRow } from '../base/rows.ts';
+import { checkRow, typedNumber } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { fieldWords } from '../surface/levelPanel.ts';
 
@@ -26,6 +26,8 @@ const numbers = [
 
 export class MeansPanel extends ModelElement<MeansModel> {
     private readonly chosen = signal<ReadonlySet<string>>(new Set());
+    /** Of what was typed last. */
+    private readonly refusal = signal('');
 
     static override styles = css`
         form {
@@ -115,14 +117,16 @@ export class MeansPanel extends ModelElement<MeansModel> {
                     ? html`<button type="button" id="mean-cancel" @click=${() => means.cancel()}>Cancel</button>`
                     : html`<button id="mean-make" ?disabled=${chosen.size === 0}>Make</button>`
             }
-            <p class="quiet all" role="status">${means.status.value?.words}</p>
+            <p class="quiet all" role="status">${this.refusal.value || means.status.value?.words}</p>
         </form>`;
     }
 
     private readonly submitted = (event: Event): void => {
         event.preventDefault();
         const given = new FormData(event.target as HTMLFormElement);
-        void this.model.means.make(wishOf([...this.chosen.value], (name) => textOf(given.get(name))));
+        const wish = wishOf([...this.chosen.value], (name) => textOf(given.get(name)));
+        this.refusal.value = typeof wish === 'string' ? wish : '';
+        if (typeof wish !== 'string') void this.model.means.make(wish);
     };
 }
 
@@ -130,12 +134,13 @@ function textOf(given: FormDataEntryValue | null): string {
     return typeof given === 'string' ? given : '';
 }
 
-/** What was left empty is left to the server. */
-export function wishOf(fields: readonly string[], text: (name: string) => string): MeanWish {
+/** What was left empty is left to the server. Words: why one is no number. */
+export function wishOf(fields: readonly string[], text: (name: string) => string): MeanWish | string {
     const wish: MeanWish = { fields: [...fields] };
     for (const { id } of numbers) {
-        const typed = text(id).trim().replace(',', '.');
-        if (typed !== '') wish[id] = Number(typed);
+        const typed = typedNumber(text(id));
+        if (typeof typed === 'string') return typed;
+        if (typed !== null) wish[id] = typed;
     }
     const label = text('label').trim();
     return label === '' ? wish : { ...wish, label };
