@@ -5,7 +5,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 namespace wakesurf::store {
@@ -70,12 +72,25 @@ core::Result<void> check_writable(const fs::path& folder) {
                : cannot("the store cannot be written to");
 }
 
+namespace {
+
+/// A lock that only writes a list is gone by then; one that makes a mean may be there for hours.
+constexpr std::chrono::milliseconds longest_wait{2000};
+
+} // namespace
+
 core::Result<FolderChanges> FolderChanges::begin(const fs::path& folder, IfLocked locked) {
     const int lock = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (lock < 0)
         return cannot("cannot open the store folder");
     FolderChanges changes(folder, lock);
-    while (::flock(lock, LOCK_EX | (locked == IfLocked::Refuse ? LOCK_NB : 0)) != 0) {
+    const auto until = std::chrono::steady_clock::now() +
+                       (locked == IfLocked::Wait ? longest_wait : std::chrono::milliseconds(0));
+    while (::flock(lock, LOCK_EX | LOCK_NB) != 0) {
+        if (errno == EWOULDBLOCK && std::chrono::steady_clock::now() < until) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            continue;
+        }
         if (errno == EWOULDBLOCK)
             return core::fail(Error::Code::Io,
                               "another program makes a field of this store just now",

@@ -30,7 +30,7 @@ class FolderChanges {
   public:
     enum class IfLocked : std::uint8_t { Wait, Refuse };
 
-    /// Waits for another lock, or not. Error: Io if nothing can be written there, or another has the lock.
+    /// Waits for another lock, for two seconds at most, or not. Error: Io if nothing can be written there, or another has the lock.
     static core::Result<FolderChanges> begin(const std::filesystem::path& folder,
                                              IfLocked locked = IfLocked::Wait);
     FolderChanges(FolderChanges&& other) noexcept;

@@ -50,6 +50,10 @@ Result<StoredMean> parse_one(const json& value) {
         std::ranges::any_of(mean.sums,
                             [&](const auto& each) { return each.size() != mean.files(); }))
         in.check("checksums", "must be one a file");
+    if (mean.record.fields.empty() || mean.record.fields.size() > most_fields)
+        in.check("fields", "must be at least one, and as many as a mean has at most");
+    if (mean.record.phases > most_phases)
+        in.check("phases", "are more than a mean has");
     if (mean.record.phases != 0 && !(mean.record.period > 0.0))
         in.check("period", "must be more than 0");
     return in.verdict().map([&] { return std::move(mean); });
@@ -117,6 +121,9 @@ Result<std::vector<StoredMean>> read_means(const fs::path& folder, const core::D
     const auto entries = read_kept(means_list, folder, disk);
     if (!entries)
         return tl::unexpected(entries.error());
+    if (entries->size() > most_means)
+        return tl::unexpected(damaged(
+            means_list, {Error::Code::Corrupt, "it lists more means than a store has", ""}));
     std::vector<StoredMean> means;
     for (const json& each : *entries) {
         auto mean = parse_one(each);

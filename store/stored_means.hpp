@@ -25,6 +25,9 @@ inline constexpr KeptList means_list{"means.json", "means", "mean_"};
 
 /// A dataset has at most so many, each of one field.
 inline constexpr std::size_t most_means = 64;
+/// Of a mean: those of a velocity, with its components.
+inline constexpr std::size_t most_fields = 9;
+inline constexpr std::size_t most_phases = 64;
 
 struct StoredMean {
     core::MeanRecord record;

@@ -28,6 +28,8 @@ std::vector<double> trapezoidal_weights(std::span<const double> times) {
 
 std::size_t phase_of(double time, double period, std::size_t phases) {
     const double turns = time / period;
+    if (!std::isfinite(turns))
+        return 0; // of a period that is nothing beside the time
     const double part = (turns - std::floor(turns)) * static_cast<double>(phases);
     return static_cast<std::size_t>(std::floor(part + 0.5)) % phases;
 }

@@ -241,7 +241,7 @@ class Client(Helpful):
     def history(self, dataset: str, point: Sequence[float], fields: Sequence[str] = ("speed",),
                 times: Optional[Sequence[float]] = None) -> Series:
         """Returns values at a point over time: at each stored time, or at `times`. `fields` as in `profile`. One call is made for
-        each time. Error: as `probe`.
+        each time. Error: as `probe`; ValueError without a time.
 
         >>> over_time = client.history("tornado", (0.5, 0.5, 0.5), ["speed", "velocity_z"], times=[0, 1, 2])
         >>> list(over_time.columns), len(over_time)
@@ -251,8 +251,10 @@ class Client(Helpful):
         at = np.asarray(about["times"] if times is None else plain(list(times), "times"), dtype=float)
         place = np.asarray(plain(list(point), "point"), dtype=float)
         asked = fields_of(about, fields)
+        if len(at) == 0:
+            raise ValueError("there is no time: give at least one in `times`")
         moments = [self.probe(dataset, [place], float(time), asked) for time in at]
-        found = {name: np.concatenate([each[name] for each in moments]) for name in moments[0]} if moments else {}
+        found = {name: np.concatenate([each[name] for each in moments]) for name in moments[0]}
         return self._series(about, {"time": at, **{name: np.full(len(at), x) for name, x in zip("xyz", place)}}, fields, found)
 
     def _series(self, about: Dataset, places: Dict[str, Array], fields: Sequence[str], found: Dict[str, Array]) -> Series:

@@ -60,9 +60,11 @@ def _number(value: float) -> str:
     """Writes a number as the page does."""
     if not np.isfinite(value):
         return ""
+    if value == 0 or 1e-6 <= abs(value) < 1e21:
+        return np.format_float_positional(value, trim="-")
     mantissa, _, exponent = repr(float(value)).partition("e")
     short = mantissa[:-2] if mantissa.endswith(".0") else mantissa
-    return f"{short}e{int(exponent):+d}" if exponent else short
+    return f"{short}e{int(exponent):+d}"
 
 
 def points_along(line: Sequence[Sequence[float]], count: int) -> Tuple[Array, Array]:

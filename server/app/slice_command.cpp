@@ -34,7 +34,7 @@ Result<double> chosen_time(const SliceOptions& options, const LoadedDataset& dat
     const auto& times = dataset.info.times;
     if (times.empty() || dataset.info.steady)
         return options.time.value_or(times.empty() ? 0.0 : times.front());
-    if (options.time && (*options.time < times.front() || *options.time > times.back()))
+    if (options.time && !(*options.time >= times.front() && *options.time <= times.back()))
         return fail(Error::Code::InvalidArgument,
                     fmt::format("--time: {:g} is outside the data", *options.time),
                     fmt::format("they have {:g} to {:g}", times.front(), times.back()));

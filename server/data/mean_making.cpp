@@ -143,7 +143,9 @@ Result<std::size_t>
 units_at_once(const MeanPlan& plan, const Places& places, const core::WorkPart& work) {
     const std::size_t unit = TimeMeans::bytes(places.unit, plan.components()) +
                              places.unit * sizeof(float) * (plan.components() + 1);
-    constexpr std::size_t least = std::size_t{16} << 20, most = std::size_t{512} << 20;
+    // Whole time-steps are read again for every piece, bricks are not: few large pieces.
+    constexpr std::size_t least = std::size_t{1} << 20;
+    const std::size_t most = std::size_t{places.unit > 1 ? 512U : 4096U} << 20U;
     std::size_t units = std::clamp<std::size_t>(most / unit, 1, places.units);
     if (work.memory() == nullptr)
         return units;

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
+#include <variant>
 
 namespace wakesurf::server {
 
@@ -154,6 +156,14 @@ plan_of(const LoadedDataset& dataset, const MeanWish& wish, const std::string& n
         .and_then([&] { return choose_steps(plan, dataset, wish); })
         .map([&] {
             plan.outputs = outputs_of(plan.components() == 3, plan.record.phases != 0);
+            // Components are those in the half plane that the data are of, which turns with the place.
+            if (const auto* mesh = std::get_if<core::CellMesh>(&dataset.store->grid());
+                mesh != nullptr && mesh->axis)
+                std::erase_if(plan.outputs, [](const MeanOutput& each) {
+                    const std::string_view suffix = each.suffix;
+                    return suffix.ends_with("_x") || suffix.ends_with("_y") ||
+                           suffix.ends_with("_z");
+                });
             for (const MeanOutput& each : plan.outputs)
                 plan.record.fields.push_back(
                     {name + each.suffix + (wish.label.empty() ? "" : "_" + wish.label), {}});

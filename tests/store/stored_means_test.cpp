@@ -2,6 +2,7 @@
 #include "tests/support/small_store.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -170,6 +171,15 @@ TEST(StoredMeans, AreNotShownWhereTheirFileIsDamaged) {
     const auto values = scalars->scalar_values(1, 0, {});
     ASSERT_FALSE(values);
     EXPECT_EQ(values.error().code, core::Error::Code::Corrupt);
+    auto list = nlohmann::json::parse(tests::read_file(store.folder / "means.json"));
+    auto& means = list["means"];
+    while (means.size() < most_means)
+        means.push_back(means.front());
+    tests::write_file(store.folder / "means.json", list.dump());
+    EXPECT_EQ(store.scalars()->names().size(), 1u + most_means);
+    means.push_back(means.front());
+    tests::write_file(store.folder / "means.json", list.dump());
+    EXPECT_EQ(store.scalars()->names().size(), 1u) << "more than any store has";
     tests::write_file(store.folder / "means.json", "{}");
     EXPECT_EQ(store.scalars()->names().size(), 1u) << "the data are there without them";
 }

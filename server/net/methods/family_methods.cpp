@@ -58,7 +58,7 @@ void family_make(const Call& call, const protocol::FamilyMake& of, Reply reply) 
         wish.most = families_of_links;
     make_kept_field(
         call, of.dataset,
-        {"this family", "making the family " + of.name, of.name + ": {} % of the nodes traced",
+        {"this family", "making the family " + of.name, of.name, "of the nodes traced",
          of.work_done_token},
         [wish = std::move(wish)](const LoadedDataset& dataset, const auto& stop,
                                  const core::WorkPart& work) {

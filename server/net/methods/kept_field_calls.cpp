@@ -19,23 +19,26 @@ namespace {
 /// Says how far one is, with a forecast.
 class KeptFieldProgress {
   public:
-    KeptFieldProgress(std::string words,
+    KeptFieldProgress(std::string subject,
+                      std::string done,
                       std::shared_ptr<const core::WorkDone> work,
                       const core::Clock& clock)
-        : words_(std::move(words)), work_(std::move(work)), clock_(clock), began_(clock.now()) {}
+        : subject_(std::move(subject)), done_(std::move(done)), work_(std::move(work)),
+          clock_(clock), began_(clock.now()) {}
 
     json progress_json() {
         const std::chrono::duration<double> gone = clock_.now() - began_;
         forecast_.add(gone.count(), work_->fraction());
         const int percent = static_cast<int>(std::floor(100.0 * work_->fraction()));
-        json out{{"message", fmt::format(fmt::runtime(words_), percent)}, {"percentage", percent}};
+        json out{{"message", fmt::format("{}: {} % {}", subject_, percent, done_)},
+                 {"percentage", percent}};
         if (const auto left = forecast_.left())
             out["remaining"] = *left;
         return out;
     }
 
   private:
-    std::string words_;
+    std::string subject_, done_;
     std::shared_ptr<const core::WorkDone> work_;
     const core::Clock& clock_;
     std::chrono::steady_clock::time_point began_;
@@ -77,9 +80,8 @@ void make_kept_field(const Call& call,
     if (token && call.client != nullptr)
         making->progress.emplace(call, *token, std::move(words.title),
                                  [progress = std::make_shared<KeptFieldProgress>(
-                                      std::move(words.progress), work, call.context.clock)] {
-                                     return progress->progress_json();
-                                 });
+                                      std::move(words.subject), std::move(words.done), work,
+                                      call.context.clock)] { return progress->progress_json(); });
     call.context.kept_fields->run(dataset,
                                   {std::move(words.what), std::move(make), call.stop, work},
                                   [making](const core::Result<json>& made) {

@@ -12,9 +12,10 @@
 namespace wakesurf::server {
 
 struct KeptFieldWords {
-    std::string what;                   ///< "this family"
-    std::string title;                  ///< of the progress
-    std::string progress;               ///< with {} in place of the percentage
+    std::string what;    ///< "this family"
+    std::string title;   ///< of the progress
+    std::string subject; ///< of the progress, before a colon: a name, which may be anything
+    std::string done;    ///< what the percentage is of: "of the nodes traced"
     std::optional<std::string> token{}; ///< that came with the call
 };
 

@@ -22,7 +22,7 @@ void mean_make(const Call& call, const protocol::MeanMake& of, Reply reply) {
     const std::string names = fmt::format("{}", fmt::join(of.fields, ", "));
     make_kept_field(
         call, of.dataset,
-        {"this mean", "averaging " + names, "averaging: {} % of the values", of.work_done_token},
+        {"this mean", "averaging " + names, "averaging", "of the values", of.work_done_token},
         [wish = std::move(wish)](const LoadedDataset& dataset, const auto& stop,
                                  const core::WorkPart& work) {
             return make_means(dataset, wish, stop, work).map([](const auto& made) {

@@ -106,6 +106,7 @@ TEST(TimeMeans, HavePhasesRoundTheMultiplesOfThePeriod) {
     EXPECT_EQ(phase_of(0.151, 0.4, 4), 2u);
     EXPECT_EQ(phase_of(0.39, 0.4, 4), 0u);
     EXPECT_EQ(phase_of(-0.1, 0.4, 4), 3u);
+    EXPECT_EQ(phase_of(7.0, 1e-320, 4), 0u) << "a period that is nothing beside the time";
 }
 
 } // namespace

@@ -136,4 +136,18 @@ TEST(FamilyMethods, TellTheirProgressAndEndWhenTheyAreCancelled) {
     EXPECT_EQ(begun["value"]["kind"], "begin");
 }
 
+TEST(FamilyMethods, RefuseANameThatIsNoNameAlsoWhereProgressIsToldOfIt) {
+    const TemporaryFolder folder;
+    generate(folder);
+    ServerProcess server({folder / "flow"});
+    ASSERT_EQ(call(server, "dataset.open", {{"dataset", "flow"}})["result"]["state"], "ready");
+    WebSocketClient client(server);
+    for (const std::string name : {"{", "}", "{}x", "%n"}) {
+        json parameters = psi;
+        parameters["name"] = name;
+        parameters["workDoneToken"] = name;
+        EXPECT_TRUE(client.call("family.make", parameters).contains("error")) << name;
+    }
+}
+
 } // namespace wakesurf::tests::family_methods_test

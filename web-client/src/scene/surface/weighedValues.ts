@@ -9,7 +9,7 @@ export interface WeighedValues {
     weights: number[];
 }
 
-/** Of larger meshes every so many triangles are taken: a histogram is no finer for more. */
+/** Of larger meshes every so many triangles are taken: a histogram is no finer for more. Values at the others have no weight. */
 const mostTriangles = 200_000;
 
 /** @param camera  leaves out what is beside its picture; null: all counts */
@@ -24,6 +24,9 @@ export function weighedValues(
     const positions = geometry.getAttribute('position')?.array ?? [];
     const areas = new Float64Array(mesh.vertices);
     const every = Math.max(1, Math.ceil(triangles / mostTriangles));
+    /** Corners of any triangle. */
+    const used = new Uint8Array(mesh.vertices);
+    for (let i = 0; i < 3 * triangles; ++i) used[index[i]!] = 1;
     for (let i = 0; i < triangles; i += every) {
         const [a, b, c] = [index[3 * i]!, index[3 * i + 1]!, index[3 * i + 2]!];
         const third = areaOf(positions, a, b, c) / 3;
@@ -41,7 +44,7 @@ export function weighedValues(
     const found: WeighedValues = { values: [], weights: [] };
     for (let i = 0; i < mesh.vertices; ++i) {
         const value = valueOf(i);
-        if (!(areas[i]! > 0) || !Number.isFinite(value) || !isSeen(i)) continue;
+        if (used[i] === 0 || !Number.isFinite(value) || !isSeen(i)) continue;
         found.values.push(value);
         found.weights.push(areas[i]!);
     }

@@ -3,7 +3,9 @@ import type { Vec3 } from '../../protocol/messages.ts';
 import { settled } from '../../testing/fakes.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { datasetOf, fieldOf } from '../../testing/records.ts';
+import { readNumbers } from '../surface/numberTable.ts';
 import { Plots } from './plots.ts';
+import { plotOfNumbers } from './surfaceNumbers.ts';
 
 /** Where x < 0 is a body; the speed is 5 times x, p is the time where it is stored: not at 10. */
 function sampled({ points, time, fields }: Record<string, unknown>): unknown {
@@ -133,4 +135,26 @@ it('numbers of the surface are those that the server knows, over its time', asyn
     expect(plots.plot.value!.series).toMatchObject([{ name: 'area', unit: 'm^2', values: [1, 2] }]);
     plots.choose('cut', true);
     expect(plots.plot.value!.notes).toEqual(['torn']);
+});
+
+it('numbers of a backward surface are drawn from the earliest time on', () => {
+    const table = readNumbers('time [s],area [m^2],notes\n10,1,\n9,2,\n8,3,\n');
+    const { x, series } = plotOfNumbers(table, [{ name: 'area', unit: 'm^2', group: 'm^2' }], '');
+    expect([x.values, series[0]!.values]).toEqual([
+        [8, 9, 10],
+        [3, 2, 1],
+    ]);
+});
+
+it('over time, a time that could not be sampled is said, and no plot with a hole is drawn over the words', async () => {
+    const { bench, plots } = opened();
+    bench.answers['probe.sample'] = (params) => {
+        if (params['time'] === 8.5) throw new Error('the disk is gone');
+        return sampled(params);
+    };
+    bench.view.probeHeld.value = [1, 0, 0];
+    bench.view.plot.value = 'point';
+    for (let i = 0; i < 12; ++i) await settled();
+    expect(plots.fault.value).toContain('the disk is gone');
+    expect(plots.plot.value).toBeNull();
 });

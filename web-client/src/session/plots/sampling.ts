@@ -64,14 +64,22 @@ export class History {
         const missing = wish.times.filter((time) => !this.known.has(time));
         const fields = fieldsOf(dataset, quantities);
         let next = 0;
+        let failed = false;
         let done = wish.times.length - missing.length;
         const goOn = async (): Promise<void> => {
-            while (next < missing.length && !signal.aborted) {
+            while (next < missing.length && !signal.aborted && !failed) {
                 const time = missing[next++]!;
-                const found = await sample({ dataset: dataset.dataset, points: [point], time, fields }, signal);
+                const found = await sample({ dataset: dataset.dataset, points: [point], time, fields }, signal).catch(
+                    (error: unknown) => {
+                        failed = true;
+                        throw error;
+                    },
+                );
+                // What came beside one that failed is kept for the next try, and not drawn over its words.
                 const values = quantities.map((each) => valuesOf(dataset, each, found)[0] ?? Number.NaN);
                 this.known.set(time, { inside: found.inside[0] === true, values });
-                drawn(++done / wish.times.length);
+                ++done;
+                if (!failed) drawn(done / wish.times.length);
             }
         };
         await Promise.all(Array.from({ length: atOnce }, goOn));

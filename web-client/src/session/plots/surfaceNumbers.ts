@@ -14,9 +14,12 @@ export function quantitiesIn({ units, rows }: NumberTable): Quantity[] {
 }
 
 export function plotOfNumbers(table: NumberTable, quantities: readonly Quantity[], title: string): Plot {
-    const column = (name: string): number[] => table.rows.map((row) => row.get(name) ?? Number.NaN);
     // The times of a stream surface are ages of its particles.
     const first = table.units.has('age') ? 'age' : 'time';
+    const at = (row: ReadonlyMap<string, number> | undefined): number => row?.get(first) ?? Number.NaN;
+    // Those of a backward surface descend.
+    const rows = at(table.rows.at(-1)) < at(table.rows[0]) ? table.rows.toReversed() : table.rows;
+    const column = (name: string): number[] => rows.map((row) => row.get(name) ?? Number.NaN);
     // Why something is not known says something of a plot only where that is drawn.
     const unknown = table.rows.map((row) => quantities.some(({ name }) => !Number.isFinite(row.get(name))));
     return {

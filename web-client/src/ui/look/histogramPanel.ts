@@ -186,7 +186,7 @@ export class HistogramPanel extends LookGroup<HistogramModel> {
     private end(which: 0 | 1, range: readonly [number, number], { span }: Histogram, scale: ColourScale): TemplateResult {
         const moved = (event: Event): void => {
             const at = (event.target as HTMLInputElement).valueAsNumber / steps;
-            const value = Number(valueAt(at, span, scale).toPrecision(4));
+            const value = toThousandth(valueAt(at, span, scale), span);
             const next: [number, number] =
                 which === 0 ? [Math.min(value, range[1]), range[1]] : [range[0], Math.max(value, range[0])];
             this.change({ range: next, centre: null });
@@ -214,6 +214,18 @@ export class HistogramPanel extends LookGroup<HistogramModel> {
         const most = Math.max(Math.abs(low), Math.abs(high));
         this.change({ range: [-most, most], centre: null });
     }
+}
+
+/** Returns a value in as few digits as tell a thousandth of a span, however far that is from 0. */
+export function toThousandth(value: number, [low, high]: readonly [number, number]): number {
+    const digits = Math.ceil(-Math.log10((high - low) / steps));
+    return Number.isFinite(digits) ? placed(value, digits) : value;
+}
+
+function placed(value: number, digits: number): number {
+    if (digits > 0) return digits > 100 ? value : Number(value.toFixed(digits));
+    const unit = 10 ** -digits;
+    return Math.round(value / unit) * unit;
 }
 
 customElements.define('wakesurf-histogram', HistogramPanel);

@@ -43,6 +43,7 @@ export class PlotChart extends SignalElement {
     private chart: UPlot | null = null;
     /** What a chart cannot change afterwards. */
     private made = '';
+    private drawn: Plot | null = null;
     private axes: PlotAxis[] = [];
     private readonly resized = new ResizeObserver(() => this.fit());
 
@@ -100,9 +101,21 @@ export class PlotChart extends SignalElement {
                 data as UPlot.AlignedData,
                 this.renderRoot.querySelector<HTMLElement>('#chart')!,
             );
+        } else if (this.plot === this.drawn) {
+            // The clock has moved, no more.
+            this.chart.redraw(false);
         } else {
-            this.chart.setData(data as UPlot.AlignedData);
+            const whole = !this.isEnlarged(this.chart);
+            this.chart.setData(data as UPlot.AlignedData, whole);
+            if (!whole) this.chart.redraw();
         }
+        this.drawn = this.plot;
+    }
+
+    /** What a person has enlarged stays so while values come. */
+    private isEnlarged({ scales, data }: UPlot): boolean {
+        const { min, max } = scales['x'] ?? {};
+        return (min ?? -Infinity) > (data[0][0] ?? -Infinity) || (max ?? Infinity) < (data[0].at(-1) ?? Infinity);
     }
 
     private fit(): void {

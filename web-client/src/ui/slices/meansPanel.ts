@@ -84,7 +84,7 @@ export class MeansPanel extends ModelElement<MeansModel> {
             ${
                 locked
                     ? nothing
-                    : html`<button type="button" aria-label=${`Remove ${words}`} @click=${() => void this.model.means.remove(name)}>✕</button>`
+                    : html`<button type="button" aria-label=${`Remove ${words}`} ?disabled=${this.model.means.status.value?.making === true} @click=${() => void this.model.means.remove(name)}>✕</button>`
             }
         </li>`;
     }
@@ -115,7 +115,7 @@ export class MeansPanel extends ModelElement<MeansModel> {
             ${
                 making
                     ? html`<button type="button" id="mean-cancel" @click=${() => means.cancel()}>Cancel</button>`
-                    : html`<button id="mean-make" ?disabled=${chosen.size === 0}>Make</button>`
+                    : html`<button id="mean-make" ?disabled=${!averaged(dataset).some((name) => chosen.has(name))}>Make</button>`
             }
             <p class="quiet all" role="status">${this.refusal.value || means.status.value?.words}</p>
         </form>`;
@@ -124,7 +124,11 @@ export class MeansPanel extends ModelElement<MeansModel> {
     private readonly submitted = (event: Event): void => {
         event.preventDefault();
         const given = new FormData(event.target as HTMLFormElement);
-        const wish = wishOf([...this.chosen.value], (name) => textOf(given.get(name)));
+        const offered = new Set(averaged(this.model.state.dataset.value!));
+        const wish = wishOf(
+            [...this.chosen.value].filter((name) => offered.has(name)),
+            (name) => textOf(given.get(name)),
+        );
         this.refusal.value = typeof wish === 'string' ? wish : '';
         if (typeof wish !== 'string') void this.model.means.make(wish);
     };
