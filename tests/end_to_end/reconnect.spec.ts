@@ -50,9 +50,12 @@ describe('the connection', () => {
     it('resumes after the server was killed and started again, with the same rake', async () => {
         const page = await open(server.link);
         await finalSurface(page);
+        // Of one that moves another state follows, with the error between stored times.
+        await page.getByRole('radio', { name: 'Stream' }).check();
+        await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
         await page.getByRole('textbox', { name: 'Start x' }).fill('-2');
         await page.keyboard.press('Enter');
-        await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 1);
+        await page.waitForFunction(() => (window.wakesurf?.displayed?.epoch ?? 0) > 2);
         await finalSurface(page);
         const before = await ask(page, (hook) => hook.displayed);
         await server.stop('SIGKILL');

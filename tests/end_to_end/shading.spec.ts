@@ -157,7 +157,7 @@ describe('outlines', () => {
         const centre: Vec3 = [0.5, middle, middle];
         const tube: Sheet = { points: [centre, [0.5, middle, middle + 1], [0.5, middle + 1, middle]], length: 5, look: {} };
         const { session, surfaces } = await flow.session([tube]);
-        const context = await newContext(browser, { width: 900, height: 440, colorScheme: 'light' });
+        const context = await newContext(browser, { width: 900, height: 434, colorScheme: 'light' });
         const look: Partial<SurfaceLook> = { ...constant, backSide: 'same' };
         const page = await openPage(context, flow.link(session, 'before', { [surfaces[0]!]: look }));
         await finalSheets(page, 1);

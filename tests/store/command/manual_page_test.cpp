@@ -90,7 +90,7 @@ TEST(BashCompletion, OffersCommandsOptionsAndTheWordsOfAnOption) {
                    "; _wakesurf; echo \"${COMPREPLY[*]}\"'")
             .second;
     };
-    EXPECT_EQ(completed("wakesurf s", 1), "serve sessions surface state\n");
+    EXPECT_EQ(completed("wakesurf s", 1), "serve sessions surface slice state\n");
     EXPECT_EQ(completed("wakesurf sessions re", 2), "rename restore\n");
     EXPECT_EQ(completed("wakesurf serve flow:abc --tls-", 3), "--tls-cert --tls-key\n");
     EXPECT_EQ(completed("wakesurf serve --log-level w", 3), "warn\n");

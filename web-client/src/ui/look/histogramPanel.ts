@@ -95,6 +95,9 @@ export class HistogramPanel extends LookGroup<HistogramModel> {
             .buttons {
                 margin-top: 14px;
             }
+            .awaited {
+                height: 116px;
+            }
         `,
     ];
 
@@ -114,7 +117,8 @@ export class HistogramPanel extends LookGroup<HistogramModel> {
         const of = JSON.stringify([id, span.style.source, span.style.scalar, scale, state.displayed.value.get(id)?.stateSum]);
         this.count(id, of, scale);
         const histogram = this.found.value?.histogram;
-        if (histogram === undefined) return nothing;
+        // Its room is kept: nothing that one is about to press may move.
+        if (histogram === undefined) return html`<div class="awaited" aria-hidden="true"></div>`;
         // A range beyond the values is seen as a whole; what is dragged stays on what is drawn.
         const range = look.range ?? span.colours;
         return html`<div class="bars" role="group" aria-label="Histogram">
@@ -178,7 +182,8 @@ export class HistogramPanel extends LookGroup<HistogramModel> {
             )}
             ${colours.map((value) => {
                 const at = bins * fractionOf(value, span, scale);
-                return svg`<line class="end" x1=${at} x2=${at} y1="0" y2="60" />`;
+                // Zero has no logarithm.
+                return Number.isFinite(at) ? svg`<line class="end" x1=${at} x2=${at} y1="0" y2="60" />` : nothing;
             })}
         </svg>`;
     }
@@ -194,11 +199,11 @@ export class HistogramPanel extends LookGroup<HistogramModel> {
         return html`<input
             type="range"
             id=${which === 0 ? 'range-low' : 'range-high'}
-            aria-label=${which === 0 ? 'Range from' : 'Range to'}
+            aria-label=${which === 0 ? 'Lower end of the histogram' : 'Upper end of the histogram'}
             aria-valuetext=${shortNumber(range[which])}
             min="0"
             max=${steps}
-            .value=${live(String(Math.round(steps * fractionOf(range[which], span, scale))))}
+            .value=${live(String(Math.round(steps * (fractionOf(range[which], span, scale) || 0))))}
             @input=${moved}
         />`;
     }

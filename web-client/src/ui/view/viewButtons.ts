@@ -216,8 +216,11 @@ export class ToolButtons extends ModelElement<ToolsModel> {
         }
         @media (max-width: 760px), (max-height: 500px) {
             div {
-                grid-template-columns: repeat(3, auto);
-                justify-items: start;
+                grid-auto-flow: column;
+            }
+            /* The handles of the rake need the room; the panel offers plots, too. */
+            #plot {
+                display: none;
             }
         }
         button[aria-pressed='true'] {
@@ -245,6 +248,7 @@ export class ToolButtons extends ModelElement<ToolsModel> {
             })}
             <button
                 type="button"
+                id="plot"
                 title="Plot values along the rake or a line, over time, or numbers of the surface"
                 aria-pressed=${view.plot.value === null ? 'false' : 'true'}
                 @click=${() => (view.plot.value = view.plot.value === null ? 'rake' : null)}
