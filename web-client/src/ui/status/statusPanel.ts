@@ -55,7 +55,8 @@ export class StatusPanel extends ModelElement<StatusModel> {
             margin: 0;
         }
         .between {
-            min-height: 1.4em;
+            /* Of two lines, which it mostly takes: nothing moves when it comes. */
+            min-height: 2.8em;
         }
         progress {
             position: absolute;
