@@ -29,10 +29,7 @@ function lookFrom(position: Vec3, target: Vec3): Promise<void> {
 function shown(): Promise<number[]> {
     return page.evaluate(() => {
         const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
-        const middle = {
-            x: canvas.left + canvas.width * 0.5,
-            y: canvas.top + canvas.height * 0.5,
-        };
+        const middle = { x: canvas.left + canvas.width * 0.5, y: canvas.top + canvas.height * 0.5 };
         return window.wakesurf!.pickGrid(middle, 200).hits.map((hit) => (typeof hit?.surface === 'string' ? 1 : 0));
     });
 }
@@ -79,10 +76,7 @@ const half = 180;
 function seen(): Promise<Vec3[]> {
     return page.evaluate((radius) => {
         const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
-        const middle = {
-            x: canvas.left + canvas.width * 0.5,
-            y: canvas.top + canvas.height * 0.5,
-        };
+        const middle = { x: canvas.left + canvas.width * 0.5, y: canvas.top + canvas.height * 0.5 };
         return window
             .wakesurf!.pickGrid(middle, radius)
             .hits.flatMap((hit) => (typeof hit?.surface === 'string' ? [hit.point] : []));
@@ -95,10 +89,7 @@ function seenAt(points: readonly Vec3[]): Promise<(boolean | undefined)[]> {
         ([wanted, radius]) => {
             const hook = window.wakesurf!;
             const canvas = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
-            const middle = {
-                x: Math.round(canvas.left + canvas.width * 0.5),
-                y: Math.round(canvas.top + canvas.height * 0.5),
-            };
+            const middle = { x: Math.round(canvas.left + canvas.width * 0.5), y: Math.round(canvas.top + canvas.height * 0.5) };
             const grid = hook.pickGrid(middle, radius);
             return wanted.map((point) => {
                 const at = hook.project(point);
@@ -119,9 +110,7 @@ async function polygons(lines: string, head = 'f'): Promise<Vec3[][]> {
     const session = (await ask(page, (hook) => hook.session))!;
     const { surface } = await ask(page, (hook) => hook.displayed!);
     const path = `/api/v1/sessions/${encodeURIComponent(session)}/surfaces/${surface}/mesh.obj?lines=${encodeURIComponent(lines)}`;
-    const reply = await fetch(new URL(path, rig.server.link), {
-        headers: { Authorization: `Bearer ${rig.server.token}` },
-    });
+    const reply = await fetch(new URL(path, rig.server.link), { headers: { Authorization: `Bearer ${rig.server.token}` } });
     expect(reply.status).toBe(200);
     const rows = (await reply.text()).split('\n').map((row) => row.split(' '));
     const points = rows.filter(([first]) => first === 'v').map(([, x, y, z]) => [Number(x), Number(y), Number(z)] as Vec3);
@@ -197,16 +186,10 @@ describe('what is shown of a surface', () => {
         await settled(page);
         const places = await page.evaluate(() => {
             const box = document.querySelector('wakesurf-app')!.shadowRoot!.querySelector('canvas')!.getBoundingClientRect();
-            const middle = {
-                x: Math.round(box.left + box.width / 2),
-                y: Math.round(box.top + box.height / 2),
-            };
+            const middle = { x: Math.round(box.left + box.width / 2), y: Math.round(box.top + box.height / 2) };
             const { hits, corner, size } = window.wakesurf!.pickGrid(middle, Math.floor(box.height / 2) - 2);
             return hits.flatMap((hit, i) => {
-                const at = {
-                    x: corner.x + (i % size),
-                    y: corner.y + Math.floor(i / size),
-                };
+                const at = { x: corner.x + (i % size), y: corner.y + Math.floor(i / size) };
                 return hit?.surface == null || at.y % 3 !== 0 ? [] : [at];
             });
         });
@@ -232,11 +215,7 @@ const reach = 5;
 async function picture() {
     const box = (await page.locator('canvas').first().boundingBox())!;
     const size = { width: Math.round(box.width), height: Math.round(box.height) };
-    return {
-        box,
-        size,
-        side: 2 * Math.floor(Math.min(size.width, size.height) / 2 - 4) + 1,
-    };
+    return { box, size, side: 2 * Math.floor(Math.min(size.width, size.height) / 2 - 4) + 1 };
 }
 
 /** By rows of the square: how far what is seen there is away; 0: nothing. */
@@ -245,11 +224,7 @@ async function distancesSeen(): Promise<number[]> {
     return page.evaluate(
         ({ x, y, radius }) =>
             window.wakesurf!.pickGrid({ x, y }, radius).hits.map((hit) => (hit?.surface == null ? 0 : hit.distance)),
-        {
-            x: box.x + Math.floor(size.width / 2) + 0.5,
-            y: box.y + Math.floor(size.height / 2) + 0.5,
-            radius: (side - 1) / 2,
-        },
+        { x: box.x + Math.floor(size.width / 2) + 0.5, y: box.y + Math.floor(size.height / 2) + 0.5, radius: (side - 1) / 2 },
     );
 }
 
@@ -261,14 +236,7 @@ async function brightness(box: '#silhouettes' | '#hatched', on: boolean): Promis
     await expect.poll(() => page.locator(box).isChecked()).toBe(on);
     await settled(page);
     const { size, side } = await picture();
-    const setting = {
-        ...size,
-        background: 'white',
-        axes: false,
-        bar: false,
-        rake: false,
-        caption: null,
-    } as const;
+    const setting = { ...size, background: 'white', axes: false, bar: false, rake: false, caption: null } as const;
     const address = await page.evaluate((each) => window.wakesurf!.picture(each), setting);
     const { pixels } = await pixelsOf(page, Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
     const [left, top] = [Math.floor(size.width / 2) - (side - 1) / 2, Math.floor(size.height / 2) - (side - 1) / 2];
@@ -339,11 +307,7 @@ describe('the error between stored times', () => {
     it('is stated, and what it puts off by more than the separation is hatched, until that is switched off', async () => {
         await page.locator('#lines-group summary').click();
         const hatched = await brightness('#hatched', true);
-        await page
-            .locator('#between-times', {
-                hasText: /Between stored times: 99 % within .* not resolved/,
-            })
-            .waitFor();
+        await page.locator('#between-times', { hasText: /Between stored times: 99 % within .* not resolved/ }).waitFor();
         const bare = await brightness('#hatched', false);
         const [dark, surface] = [bare.filter((light, i) => hatched[i]! < 0.7 * light), bare.filter((light) => light < 245)];
         expect(dark.length).toBeGreaterThan(50);
