@@ -22,11 +22,18 @@ async function visit(width: number, height: number): Promise<void> {
     await page.getByRole('region', { name: 'Tour' }).waitFor();
 }
 
-const covers = async (name: string, at: { x: number; y: number }, px: number): Promise<boolean> => {
-    const box = await page.locator(name).first().boundingBox();
-    if (box === null) return false;
-    return at.x > box.x - px && at.x < box.x + box.width + px && at.y > box.y - px && at.y < box.y + box.height + px;
-};
+/** What lies over a handle of the rake, or within 8 pixels of it. */
+async function partsOver(handle: 0 | 1 | 'middle' | 'rotate'): Promise<string[]> {
+    const { x, y } = (await page.evaluate((each) => window.wakesurf!.handleOnScreen(each), handle))!;
+    const over: string[] = [];
+    for (const part of ['wakesurf-tour section', 'wakesurf-scalar-bar', 'wakesurf-tool-buttons', 'wakesurf-time-bar']) {
+        const box = await page.locator(part).first().boundingBox();
+        if (box === null) continue;
+        const beside = x <= box.x - 8 || x >= box.x + box.width + 8 || y <= box.y - 8 || y >= box.y + box.height + 8;
+        if (!beside) over.push(part);
+    }
+    return over;
+}
 
 /** Where nobody has moved the camera, it is fitted to the larger picture. */
 async function expectWholeSurfaceWithoutPanel(): Promise<void> {
@@ -52,10 +59,9 @@ describe.each([
     it('shows the handles beside the card that speaks of them, says how far the surface is without scrolling, and turns by a drag on the bar', async () => {
         await visit(width, height);
         for (const handle of [0, 1, 'middle', 'rotate'] as const) {
+            // A busy machine may draw the view that is fitted to the surface after the surface itself.
+            await expect.poll(() => partsOver(handle)).toEqual([]);
             const at = (await page.evaluate((each) => window.wakesurf!.handleOnScreen(each), handle))!;
-            for (const part of ['wakesurf-tour section', 'wakesurf-scalar-bar', 'wakesurf-tool-buttons', 'wakesurf-time-bar']) {
-                expect(await covers(part, at, 8), `${handle} under ${part}`).toBe(false);
-            }
             expect(at.x).toBeGreaterThan(0);
             expect(at.x).toBeLessThan(width);
         }
