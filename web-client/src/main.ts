@@ -154,7 +154,7 @@ function start(app: App): void {
         time: () => playback.time.value,
         moves: () => playback.mode.value === 'clock',
     });
-    const slices = loadSlices({ state, scene, server, worker, edits, time: () => playback.time.value });
+    const slices = loadSlices({ state, view, scene, server, worker, edits, time: () => playback.time.value });
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
     const means = new Means({ state, worker });
     const events = new ServerEvents({

@@ -282,9 +282,16 @@ export class FlowScene {
         return this.view().project(point);
     }
 
-    /** Returns what of surfaces and body is seen at a canvas position. */
+    /** Returns what is seen at a canvas position: a surface, the body, or a layer that can be pointed at. */
     pick(at: ScreenPoint): PickHit | null {
-        return this.picker.at(this.view(), this.body.geometry, at);
+        const view = this.view();
+        let nearest = this.picker.at(view, this.body.geometry, at);
+        for (const layer of this.layers) {
+            const seen = layer.pick?.(view, at) ?? null;
+            if (seen === null || seen.distance >= (nearest?.distance ?? Infinity)) continue;
+            nearest = { surface: null, s: NaN, t: NaN, scalar: NaN, ...seen };
+        }
+        return nearest;
     }
 
     pickGrid(at: ScreenPoint, radiusPx: number, options: PickOptions): PickGrid {
@@ -462,7 +469,7 @@ export class FlowScene {
     }
 
     /** While something is moved, no picture may be late: none is exact. */
-    private hold(held: boolean): void {
+    hold(held: boolean): void {
         this.held = held;
         this.movement.hold(held);
         this.smoothness.hold(held);

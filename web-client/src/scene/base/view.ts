@@ -21,12 +21,21 @@ export interface Part extends ScreenSize {
 
 export type SceneCamera = PerspectiveCamera | OrthographicCamera;
 
+/** A place that a layer shows. */
+export interface SeenPoint {
+    point: Vec3;
+    /** From the eye; without perspective, from the plane of the camera. */
+    distance: number;
+}
+
 /** What is drawn beside the surfaces: brought in line with camera and canvas before every frame. */
 export interface Layer {
     readonly object: Object3D;
     /** True of what people work with, as pointers of others: no part of a figure. */
     readonly notForFigures?: boolean;
     update(view: View): void;
+    /** Returns what of it people point at, at a canvas position. */
+    pick?(view: View, at: ScreenPoint): SeenPoint | null;
 }
 
 /** Is valid for one frame or one event; a snapshot of neither. REQUIRES: the camera's matrices are up to
@@ -77,6 +86,12 @@ export class View {
     /** Two points of the line of sight through a canvas position: on the near plane, and further away. */
     sightLine(pointer: ScreenPoint): [Vec3, Vec3] {
         return [this.unproject(pointer, -1), this.unproject(pointer, 0.5)];
+    }
+
+    /** As of a SeenPoint. */
+    distanceTo(point: Vec3): number {
+        if (!this.isParallel) return new Vector3(...point).distanceTo(this.camera.position);
+        return -new Vector3(...point).applyMatrix4(this.camera.matrixWorldInverse).z;
     }
 
     /** Returns how long a CSS pixel is at a place in space. */

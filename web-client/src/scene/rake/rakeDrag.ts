@@ -123,20 +123,31 @@ function sized({ start, anchor }: Drag, target: ScreenPoint, view: View, snap: S
     return { shape: resized(start, rim), at: rim, axis: null, words };
 }
 
-/** Turns the circle like a ball: the handle stays on the sphere round the circle, under the pointer while
- *  that is over the sphere. */
+/** Turns the circle like a ball. */
 function tipped({ start, anchor }: Drag, target: ScreenPoint, view: View): Dragged {
     const { centre, radius } = circleOf(start);
+    const shape = tilted(start, onBall({ centre, radius, anchor }, target, view));
+    return { shape, at: shape.points[2] ?? anchor, axis: null, words: '' };
+}
+
+export interface Ball {
+    centre: Vec3;
+    radius: number;
+    /** Where on it the handle was: on the near side, or the far one. */
+    anchor: Vec3;
+}
+
+/** The point of a ball's surface under the pointer, on the side where the handle was; beside the ball the point of its rim that is
+ *  nearest. */
+export function onBall({ centre, radius, anchor }: Ball, target: ScreenPoint, view: View): Vec3 {
     const [eye, further] = view.sightLine(target);
     const sight = unit(minus(further, eye));
     const along = dot(minus(centre, eye), sight);
     const nearest = plus(eye, times(sight, along));
     const beside = distance(nearest, centre);
     const half = Math.sqrt(Math.max(0, radius * radius - beside * beside));
-    // On the side where the handle was: far or near.
     const far = dot(minus(anchor, centre), sight) > 0 ? 1 : -1;
-    const shape = tilted(start, plus(nearest, times(sight, far * half)));
-    return { shape, at: shape.points[2] ?? anchor, axis: null, words: '' };
+    return plus(nearest, times(sight, far * half));
 }
 
 /** Out of the screen. */
@@ -170,7 +181,7 @@ export function nearestAxis(from: Vec3, movement: ScreenPoint, view: View): Axis
     let best: Axis | null = null;
     let least = Number.POSITIVE_INFINITY;
     for (const axis of [0, 1, 2] as const) {
-        const seen = axisOnScreen(from, axis, view);
+        const seen = directionOnScreen(from, unitAxis(axis), view);
         if (seen === null) continue;
         const across = Math.abs(movement.x * seen.y - movement.y * seen.x);
         if (across < least) [best, least] = [axis, across];
@@ -180,32 +191,36 @@ export function nearestAxis(from: Vec3, movement: ScreenPoint, view: View): Axis
 
 /** The point of the axis line through `from` whose picture is nearest to a canvas position. */
 export function alongAxis(from: Vec3, axis: Axis, pointer: ScreenPoint, view: View): Vec3 {
+    return alongLine(from, unitAxis(axis), pointer, view) ?? from;
+}
+
+/** The point of a line whose picture is nearest to a canvas position; null where the line points at the eye. */
+export function alongLine(from: Vec3, direction: Vec3, pointer: ScreenPoint, view: View): Vec3 | null {
     const start = view.project(from);
-    const seen = axisOnScreen(from, axis, view);
-    if (start === null || seen === null) return from;
+    const seen = directionOnScreen(from, direction, view);
+    if (start === null || seen === null) return null;
     const along = (pointer.x - start.x) * seen.x + (pointer.y - start.y) * seen.y;
     const foot = { x: start.x + along * seen.x, y: start.y + along * seen.y };
-    // The line of sight through the foot meets the axis.
+    // The line of sight through the foot meets the line.
     const [eye, further] = view.sightLine(foot);
     const sight = minus(further, eye);
-    const direction = unitAxis(axis);
     const normal = cross(sight, cross(direction, sight));
     const slope = dot(normal, direction);
-    if (Math.abs(slope) < 1e-12 * dot(normal, normal) ** 0.5) return from;
+    if (Math.abs(slope) < 1e-12 * dot(normal, normal) ** 0.5) return null;
     const t = dot(normal, minus(eye, from)) / slope;
-    return Number.isFinite(t) ? plus(from, times(direction, t)) : from;
+    return Number.isFinite(t) ? plus(from, times(direction, t)) : null;
 }
 
 export function unitAxis(axis: Axis): Vec3 {
     return [axis === 0 ? 1 : 0, axis === 1 ? 1 : 0, axis === 2 ? 1 : 0];
 }
 
-/** Null where the axis points at the eye. */
-function axisOnScreen(from: Vec3, axis: Axis, view: View): ScreenPoint | null {
+/** Null where it points at the eye. */
+function directionOnScreen(from: Vec3, direction: Vec3, view: View): ScreenPoint | null {
     const a = view.project(from);
     if (a === null) return null;
     const step = 40 * view.worldPerPx(from);
-    const b = view.project(plus(from, times(unitAxis(axis), step)));
+    const b = view.project(plus(from, times(direction, step)));
     if (b === null) return null;
     const length = Math.hypot(b.x - a.x, b.y - a.y);
     return length < 2 ? null : { x: (b.x - a.x) / length, y: (b.y - a.y) / length };

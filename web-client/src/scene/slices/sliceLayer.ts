@@ -15,8 +15,10 @@ import {
     UnsignedShortType,
     Vector2,
 } from 'three';
+import type { Vec3 } from '../../protocol/messages.ts';
 import { noSliceValue, sliceCodes, type SliceRaster } from '../../protocol/sliceFile.ts';
-import type { Layer } from '../base/view.ts';
+import type { Layer, ScreenPoint, SeenPoint, View } from '../base/view.ts';
+import { cross, dot, minus, plus, times } from '../rake/rakeShape.ts';
 import { shadedLayer } from '../surface/contactShade.ts';
 import { type ColourMapName, colourTable, tableSize } from '../surface/colourMap.ts';
 
@@ -104,6 +106,18 @@ export class SliceLayer implements Layer {
         [slice.raster, slice.colours] = [raster, colours];
     }
 
+    /** Where it has values. */
+    pick(view: View, at: ScreenPoint): (SeenPoint & { slice: string }) | null {
+        let nearest: (SeenPoint & { slice: string }) | null = null;
+        for (const [slice, { mesh, raster }] of this.drawn) {
+            const point = mesh.visible ? meeting(raster, view.sightLine(at)) : null;
+            if (point === null) continue;
+            const distance = view.distanceTo(point);
+            if (distance < (nearest?.distance ?? Infinity)) nearest = { slice, point, distance };
+        }
+        return nearest;
+    }
+
     remove(id: string): void {
         const slice = this.drawn.get(id);
         if (slice === undefined) return;
@@ -113,6 +127,19 @@ export class SliceLayer implements Layer {
         for (const name of ['codes', 'table']) (slice.mesh.material.uniforms[name]!.value as DataTexture).dispose();
         slice.mesh.material.dispose();
     }
+}
+
+/** Where a line of sight meets what is drawn of a raster. */
+function meeting({ corner, across, up, columns, rows, codes }: SliceRaster, [eye, further]: [Vec3, Vec3]): Vec3 | null {
+    const normal = cross(across, up);
+    const sight = minus(further, eye);
+    const part = dot(normal, minus(corner, eye)) / dot(normal, sight);
+    if (!(part >= 0)) return null;
+    const point = plus(eye, times(sight, part));
+    const place = (side: Vec3, count: number): number => Math.floor((count * dot(minus(point, corner), side)) / dot(side, side));
+    const [column, row] = [place(across, columns), place(up, rows)];
+    const inside = column >= 0 && column < columns && row >= 0 && row < rows;
+    return inside && codes[row * columns + column] !== noSliceValue ? point : null;
 }
 
 function createSlice(): Drawn['mesh'] {

@@ -1,17 +1,13 @@
 // What picking finds under the pointer, and how it is asked.
-import type { Vec3 } from '../../protocol/messages.ts';
-import type { ScreenPoint } from '../base/view.ts';
+import type { ScreenPoint, SeenPoint } from '../base/view.ts';
 
-export interface PickHit {
-    /** Null: the body. */
+export interface PickHit extends SeenPoint {
+    /** Null: the body, or what else is no surface, which has no s, t and scalar. */
     surface: string | null;
-    point: Vec3;
     s: number;
     t: number;
     /** What the surface is coloured by. */
     scalar: number;
-    /** From the eye; without perspective, from the plane of the camera. */
-    distance: number;
 }
 
 export interface PickOptions {

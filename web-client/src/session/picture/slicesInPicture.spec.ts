@@ -11,8 +11,11 @@ const record: SliceRecord = { slice: 'c1', rev: 1, dataset: 'flow', origin: [0, 
 function slicesOf(page: PageBench) {
     const asked: string[] = [];
     const slices = new Slices({
-        ...{ state: page.state, worker: page.worker, edits: page.edits, time: () => 9 },
-        scene: { add: () => undefined, size: { width: 800, height: 600 }, loop: { request: () => undefined } },
+        ...{ state: page.state, view: page.view, worker: page.worker, edits: page.edits, time: () => 9 },
+        scene: {
+            ...{ add: () => undefined, hold: () => undefined, pick: () => null, view: () => null as never },
+            ...{ size: { width: 800, height: 600 }, loop: { request: () => undefined }, pointerTools: { add: () => undefined } },
+        },
         server: {
             fetch: (path) => {
                 asked.push(path);

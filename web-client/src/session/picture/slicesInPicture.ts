@@ -5,8 +5,13 @@ import type { SliceRecord, Vec3 } from '../../protocol/messages.ts';
 import { type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
 import { coloursOf } from './usualColours.ts';
 import type { FlowScene } from '../../scene/scene.ts';
+import { shortNumber } from '../../scene/base/numbers.ts';
+import { dot, unit } from '../../scene/rake/rakeShape.ts';
+import { spanAcross } from '../../scene/slices/planeSection.ts';
+import { SliceHandles } from '../../scene/slices/sliceHandles.ts';
 import { SliceLayer, type SliceColours } from '../../scene/slices/sliceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { announceUnlessDisconnected } from '../base/calls.ts';
@@ -16,7 +21,11 @@ import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
     state: AppState;
-    scene: Pick<FlowScene, 'add' | 'size'> & { loop: Pick<FlowScene['loop'], 'request'> };
+    view: Pick<ViewState, 'besidePointer' | 'tool'>;
+    scene: Pick<FlowScene, 'add' | 'hold' | 'pick' | 'size' | 'view'> & {
+        loop: Pick<FlowScene['loop'], 'request'>;
+        pointerTools: Pick<FlowScene['pointerTools'], 'add'>;
+    };
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'gestures' | 'history'>;
@@ -42,6 +51,9 @@ export class Slices {
     readonly waiting = signal(false);
     /** Lines of equal values of each; a look of this page. */
     readonly contours = signal(0);
+    /** Has handles in the picture. */
+    readonly chosen = signal<string | null>(null);
+    readonly handles: SliceHandles;
     private readonly options: SlicesOptions;
     private readonly layer = new SliceLayer();
     private readonly values: SliceValues;
@@ -56,6 +68,7 @@ export class Slices {
         this.options = options;
         const { state, scene, server } = options;
         scene.add(this.layer);
+        this.handles = this.handlesIn(scene);
         this.values = new SliceValues({
             fetch: (path, init) => server.fetch(path, init),
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
@@ -75,6 +88,11 @@ export class Slices {
         effect(() => {
             void data.value;
             if (state.stage.value === 'running') untracked(() => this.values.again());
+        });
+        effect(() => {
+            const place = this.places.value.get(this.chosen.value ?? '') ?? null;
+            const bounds = state.dataset.value?.bounds ?? [];
+            untracked(() => this.handles.set(place, bounds));
         });
         effect(() => {
             void this.contours.value;
@@ -120,6 +138,32 @@ export class Slices {
         } catch (error) {
             announceUnlessDisconnected(state.problems, 'slice.delete', error);
         }
+    }
+
+    private handlesIn(scene: SlicesOptions['scene']): SliceHandles {
+        const { state, view } = this.options;
+        const handles = new SliceHandles({
+            ...{ view: () => scene.view(), requestFrame: () => scene.loop.request(), onHold: (held) => scene.hold(held) },
+            mayMove: () => !state.locked.value && view.tool.value === 'none',
+            moved: ({ origin, normal }, at) => {
+                this.change(this.chosen.value!, { origin, normal });
+                view.besidePointer.value = { at, words: planeWords(origin, normal) };
+            },
+            released: () => (view.besidePointer.value = null),
+        });
+        scene.add(handles);
+        scene.pointerTools.add(handles);
+        // A click on a slice chooses it; one beside all of them takes the handles away.
+        scene.pointerTools.add({
+            click: ({ at }) => {
+                if (view.tool.value !== 'none') return false;
+                const seen = this.layer.pick(scene.view(), at);
+                const isFirst = seen !== null && scene.pick(at)?.distance === seen.distance;
+                this.chosen.value = isFirst ? seen.slice : null;
+                return isFirst;
+            },
+        });
+        return handles;
     }
 
     /** Of the edits of one slice only the newest waits. */
@@ -240,12 +284,18 @@ export class Slices {
 
 /** A plane has something of the box in it, or on it. */
 function meets(bounds: readonly number[], origin: Vec3, normal: Vec3): boolean {
-    const heights = [0, 1, 2].map((k) => [0, 1].map((end) => (bounds[2 * k + end]! - origin[k]!) * normal[k]!));
-    const [low, high] = [Math.min, Math.max].map((end) => heights.reduce((sum, pair) => sum + end(...pair), 0)) as [
-        number,
-        number,
-    ];
-    return low <= 0 && high >= 0;
+    const [low, high] = spanAcross(bounds, normal);
+    const at = dot(origin, normal);
+    return low <= at && at <= high;
+}
+
+/** As short as it can be said: `x = 0.5`, or the direction. */
+export function planeWords(origin: Vec3, normal: Vec3): string {
+    const along = [0, 1, 2].findIndex((k) => normal.every((each, i) => (i === k) === (each !== 0)));
+    if (along >= 0) return `${'xyz'[along]!} = ${shortNumber(origin[along]!)}`;
+    return `across (${unit(normal)
+        .map((each) => shortNumber(Number(each.toPrecision(2))))
+        .join(', ')})`;
 }
 
 /** Without what the server alone writes. */

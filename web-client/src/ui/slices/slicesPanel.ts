@@ -1,10 +1,11 @@
 // Planes through the data: which there are, where they lie and what they show.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { signal } from '@preact/signals-core';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
+import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import { levelFields } from '../../session/edits/defaults.ts';
-import { type SlicePlace, Slices } from '../../session/picture/slicesInPicture.ts';
+import { dot, plus, times, unit } from '../../scene/rake/rakeShape.ts';
+import { spanWithin } from '../../scene/slices/sliceHandles.ts';
+import { planeWords, type SlicePlace, Slices } from '../../session/picture/slicesInPicture.ts';
 import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { selectRow, sliderRow, vectorFields } from '../base/rows.ts';
@@ -27,12 +28,8 @@ const axes: readonly (readonly [string, Vec3])[] = [
     ['z', [0, 0, 1]],
 ];
 const steps = 1000;
-/** A plane that only grazes a corner of the domain shows nothing. */
-const inset = 5e-4;
 
 export class SlicesPanel extends ModelElement<SlicesModel> {
-    private readonly chosen = signal('');
-
     static override styles = css`
         .add {
             display: grid;
@@ -70,7 +67,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
         if (dataset.value === null) return html``;
         const places = [...slices.places.value];
         const locked = state.locked.value;
-        const [id, place] = places.find(([each]) => each === this.chosen.value) ?? places[0] ?? ['', null];
+        const [id, place] = places.find(([each]) => each === slices.chosen.value) ?? places[0] ?? ['', null];
         const bounds = dataset.value.bounds as unknown as Bounds;
         return html`
             ${locked ? nothing : this.adding(bounds)}
@@ -103,7 +100,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
 
     private row(id: string, chosen: boolean, words: string, locked: boolean): TemplateResult {
         return html`<li>
-            <button type="button" class="go cut" aria-pressed=${chosen} title=${words} @click=${() => (this.chosen.value = id)}>
+            <button type="button" class="go cut" aria-pressed=${chosen} title=${words} @click=${() => (this.model.slices.chosen.value = id)}>
                 ${isolated(words)}
             </button>
             ${
@@ -125,9 +122,9 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
             value: name,
             words: fieldWords(name, dataset),
         }));
-        const unit = unitOf(normal);
-        const [low, high] = spanOf(bounds, unit);
-        const at = dot(origin, unit);
+        const along = unit(normal);
+        const [low, high] = spanWithin(bounds, along);
+        const at = dot(origin, along);
         const resolution = resolutionOf(low, high);
         const fault = slices.faults.value.get(id);
         return html`
@@ -140,7 +137,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                       ${sliderRow({
                           ...{ id: 'slice-offset', words: 'Position', value: at, shown: fieldNumber(at, resolution) },
                           ...{ low, high, step: (high - low) / steps },
-                          change: (value) => slices.change(id, { origin: moved(origin, unit, value - at) }),
+                          change: (value) => slices.change(id, { origin: plus(origin, times(along, value - at)) }),
                       })}
                       <div class="triple" role="group" aria-label="Origin">
                           <span>Origin</span>
@@ -176,9 +173,9 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
 
     private async add(origin: Vec3, normal: Vec3): Promise<void> {
         const { slices } = this.model;
-        const shown = slices.places.value.get(this.chosen.value) ?? [...slices.places.value.values()][0];
+        const shown = slices.places.value.get(slices.chosen.value ?? '') ?? [...slices.places.value.values()][0];
         const made = await slices.add(origin, normal, shown?.field);
-        if (made !== null) this.chosen.value = made;
+        if (made !== null) slices.chosen.value = made;
     }
 
     private addAcross(rake: readonly Vec3[]): Promise<void> {
@@ -189,39 +186,8 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
     }
 }
 
-function dot(a: Vec3, b: Vec3): number {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-function unitOf(normal: Vec3): Vec3 {
-    const length = Math.hypot(...normal) || 1;
-    return normal.map((each) => each / length) as unknown as Vec3;
-}
-
-function moved(origin: Vec3, unit: Vec3, by: number): Vec3 {
-    return origin.map((each, k) => each + by * unit[k]!) as unknown as Vec3;
-}
-
 function middleOf(bounds: Bounds): Vec3 {
     return [0, 1, 2].map((k) => (bounds[2 * k]! + bounds[2 * k + 1]!) / 2) as unknown as Vec3;
-}
-
-/** The places along a direction between which planes across it meet the domain. */
-function spanOf(bounds: Bounds, unit: Vec3): [number, number] {
-    const ends = [0, 1, 2].map((k) => [bounds[2 * k]! * unit[k]!, bounds[2 * k + 1]! * unit[k]!]);
-    const [low, high] = [Math.min, Math.max].map((end) =>
-        ends.reduce((sum, pair) => sum + end(...(pair as [number, number])), 0),
-    ) as [number, number];
-    return [low + inset * (high - low), high - inset * (high - low)];
-}
-
-/** As short as it can be said: `x = 0.5`, or the direction. */
-function planeWords(origin: Vec3, normal: Vec3): string {
-    const along = axes.findIndex((_, k) => normal.every((each, i) => (i === k) === (each !== 0)));
-    if (along >= 0) return `${axes[along]![0]} = ${shortNumber(origin[along]!)}`;
-    return `across (${unitOf(normal)
-        .map((each) => shortNumber(Number(each.toPrecision(2))))
-        .join(', ')})`;
 }
 
 customElements.define('wakesurf-slices', SlicesPanel);
