@@ -1,22 +1,22 @@
 // Slices of the session: their records in the picture, at the time of the picture, and the edits of this page, which are drawn before the
 // server has answered. Loaded after the first picture.
-import { computed, effect, signal, untracked } from '@preact/signals-core';
+import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
 import type { SliceRecord, Vec3 } from '../../protocol/messages.ts';
 import { type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
-import { coloursOf } from './usualColours.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import { dot, unit } from '../../scene/rake/rakeShape.ts';
 import { spanAcross } from '../../scene/slices/planeSection.ts';
 import { SliceHandles } from '../../scene/slices/sliceHandles.ts';
-import { SliceLayer, type SliceColours } from '../../scene/slices/sliceLayer.ts';
+import { SliceLayer } from '../../scene/slices/sliceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { announceUnlessDisconnected } from '../base/calls.ts';
 import type { Edits } from '../edits/edits.ts';
+import { RecordDrafts } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
+import { FieldColours, type FieldMeaning } from './fieldColours.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
@@ -36,15 +36,10 @@ export interface SlicesOptions {
 /** What of a slice can be edited. */
 export type SlicePlace = Pick<SliceRecord, 'origin' | 'normal' | 'field'>;
 
-/** What the colours of a slice mean. */
-export interface SliceMeaning extends SliceColours {
-    field: string;
-}
-
 export class Slices {
     /** As they are drawn: as records say, or as this page edits them. */
-    readonly places = signal<ReadonlyMap<string, SlicePlace>>(new Map());
-    readonly meanings = signal<ReadonlyMap<string, SliceMeaning>>(new Map());
+    readonly places: ReadonlySignal<ReadonlyMap<string, SlicePlace>>;
+    readonly meanings: ReadonlySignal<ReadonlyMap<string, FieldMeaning>>;
     /** Why nothing is seen of one. */
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there, or not as fine as the screen. */
@@ -57,18 +52,16 @@ export class Slices {
     private readonly options: SlicesOptions;
     private readonly layer = new SliceLayer();
     private readonly values: SliceValues;
+    private readonly colours = new FieldColours();
+    private readonly drafts: RecordDrafts<SliceRecord, SlicePlace>;
     private readonly rasters = new Map<string, SliceRaster>();
-    /** Between which values of a field lie, by field, as far as slices have shown. */
-    private readonly spans = new Map<string, [number, number]>();
-    private readonly drafts = new Map<string, SlicePlace>();
-    private readonly acts = new Map<string, string>();
-    private readonly sending = new Set<string>();
 
     constructor(options: SlicesOptions) {
         this.options = options;
-        const { state, scene, server } = options;
+        const { state, scene, server, worker, edits } = options;
         scene.add(this.layer);
         this.handles = this.handlesIn(scene);
+        this.meanings = this.colours.meanings;
         this.values = new SliceValues({
             fetch: (path, init) => server.fetch(path, init),
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
@@ -76,12 +69,15 @@ export class Slices {
             told: (id, fault) => this.tell(id, fault),
             changed: () => (this.waiting.value = this.values.unfinished),
         });
-        effect(() => {
-            const records = state.slices.value;
-            void state.dataset.value;
-            for (const [id, record] of records) if (!this.sending.has(id) && this.agrees(id, record)) this.drafts.delete(id);
-            untracked(() => this.publish());
+        this.drafts = new RecordDrafts<SliceRecord, SlicePlace>({
+            ...{ state, edits, noun: 'slice', records: state.slices, placeOf },
+            set: async (id, dataset, place, gesture) =>
+                (await worker.call('slice.set', { ...(id === undefined ? {} : { slice: id }), dataset, ...place, gesture }))
+                    .slice,
+            remove: (slice, gesture) => worker.call('slice.delete', { slice, gesture }),
+            gone: (id) => this.forget(id),
         });
+        this.places = this.drafts.places;
         effect(() => this.wishAll());
         // What could not be had may be there now, or be other values.
         const data = computed(() => JSON.stringify([state.datasetEntry.value?.values, state.datasetEntry.value?.steps.ready]));
@@ -101,43 +97,17 @@ export class Slices {
     }
 
     /** Adds a slice through a point. */
-    async add(origin: Vec3, normal: Vec3, field?: string): Promise<string | null> {
-        const { state, worker, edits } = this.options;
-        const dataset = state.dataset.value?.dataset;
-        if (dataset === undefined) return null;
-        const gesture = edits.gestures.begin();
-        try {
-            const what = { dataset, origin, normal, ...(field === undefined ? {} : { field }) };
-            const { slice } = await worker.call('slice.set', { ...what, gesture });
-            edits.history.noted(gesture);
-            state.problems.solved('slice.set');
-            return slice;
-        } catch (error) {
-            announceUnlessDisconnected(state.problems, 'slice.set', error);
-            return null;
-        }
+    add(origin: Vec3, normal: Vec3, field = this.options.state.dataset.value?.velocity ?? ''): Promise<string | null> {
+        return this.drafts.add({ origin, normal, field });
     }
 
     /** Draws it so at once, and tells the server. */
     change(id: string, change: Partial<SlicePlace>): void {
-        const place = this.places.value.get(id);
-        if (place === undefined) return;
-        this.drafts.set(id, { ...place, ...change });
-        // Another field is another act than another place, also where one follows the other fast.
-        this.acts.set(id, `slice ${id} ${Object.keys(change).join(' ')}`);
-        this.publish();
-        if (!this.sending.has(id)) void this.send(id);
+        this.drafts.change(id, change);
     }
 
-    async remove(id: string): Promise<void> {
-        const { state, worker, edits } = this.options;
-        const gesture = edits.gestures.begin();
-        try {
-            await worker.call('slice.delete', { slice: id, gesture });
-            edits.history.noted(gesture);
-        } catch (error) {
-            announceUnlessDisconnected(state.problems, 'slice.delete', error);
-        }
+    remove(id: string): Promise<void> {
+        return this.drafts.remove(id);
     }
 
     private handlesIn(scene: SlicesOptions['scene']): SliceHandles {
@@ -166,48 +136,6 @@ export class Slices {
         return handles;
     }
 
-    /** Of the edits of one slice only the newest waits. */
-    private async send(id: string): Promise<void> {
-        const { state, worker, edits } = this.options;
-        this.sending.add(id);
-        try {
-            for (let sent: SlicePlace | undefined; sent !== this.drafts.get(id);) {
-                sent = this.drafts.get(id)!;
-                const { dataset } = state.slices.value.get(id)!;
-                const gesture = edits.gestures.slid(this.acts.get(id) ?? id, performance.now());
-                await worker.call('slice.set', { slice: id, dataset, ...sent, gesture });
-                edits.history.noted(gesture);
-            }
-            state.problems.solved('slice.set');
-        } catch (error) {
-            this.drafts.delete(id);
-            announceUnlessDisconnected(state.problems, 'slice.set', error);
-        }
-        this.sending.delete(id);
-        const record = state.slices.value.get(id);
-        if (record === undefined || this.agrees(id, record)) this.drafts.delete(id);
-        this.publish();
-    }
-
-    /** The server has what this page draws, or nothing is drawn ahead. */
-    private agrees(id: string, { origin, normal, field }: SliceRecord): boolean {
-        const draft = this.drafts.get(id);
-        return (
-            draft === undefined ||
-            JSON.stringify([draft.origin, draft.normal, draft.field]) === JSON.stringify([origin, normal, field])
-        );
-    }
-
-    private publish(): void {
-        const { state } = this.options;
-        const places = new Map<string, SlicePlace>();
-        for (const [id, record] of state.slices.peek()) {
-            if (record.dataset === state.dataset.peek()?.dataset) places.set(id, this.drafts.get(id) ?? placeOf(record));
-        }
-        for (const id of this.places.peek().keys()) if (!places.has(id)) this.forget(id);
-        this.places.value = places;
-    }
-
     private wishAll(): void {
         const { state } = this.options;
         const description = state.dataset.value;
@@ -226,50 +154,28 @@ export class Slices {
         this.layer.remove(id);
         this.rasters.delete(id);
         this.tell(id, null);
-        const meanings = new Map(this.meanings.peek());
-        if (meanings.delete(id)) this.meanings.value = meanings;
+        this.colours.forget(id);
         this.options.scene.loop.request();
     }
 
     private arrived(id: string, raster: SliceRaster, { field }: SliceWish): void {
         this.rasters.set(id, raster);
         const usual = usualRange(raster);
-        if (usual !== null) this.widen(field, usual);
-        this.mean(id, field);
-        this.draw(id, usual === null ? null : raster, raster);
+        if (this.colours.show(id, field, usual)) {
+            for (const [each, meaning] of this.meanings.peek()) {
+                const other = this.rasters.get(each);
+                if (each !== id && meaning.field === field && other !== undefined) this.draw(each, other);
+            }
+        }
+        this.draw(id, raster);
         const lacks = raster.inFlow === 0 ? 'This plane meets only bodies.' : `${field} has no values here at this time.`;
         this.tell(id, usual === null ? lacks : null);
     }
 
-    /** All slices of a field have the same colours. Wider only: they must not flicker while a plane or the time moves. */
-    private widen(field: string, [low, high]: [number, number]): void {
-        const before = this.spans.get(field);
-        const span: [number, number] = before === undefined ? [low, high] : [Math.min(before[0], low), Math.max(before[1], high)];
-        this.spans.set(field, span);
-        if (JSON.stringify(span) === JSON.stringify(before)) return;
-        for (const [id, meaning] of this.meanings.peek()) {
-            if (meaning.field !== field) continue;
-            this.mean(id, field);
-            const raster = this.rasters.get(id);
-            if (raster !== undefined) this.draw(id, usualRange(raster) === null ? null : raster, raster);
-        }
-    }
-
-    private mean(id: string, field: string): void {
-        const meanings = new Map(this.meanings.peek());
-        const span = this.spans.get(field);
-        if (span === undefined) meanings.delete(id);
-        else meanings.set(id, { field, ...coloursOf(...span), contours: this.contours.peek() });
-        if (JSON.stringify([...meanings]) !== JSON.stringify([...this.meanings.peek()])) this.meanings.value = meanings;
-        // A field that is shown again begins with what is seen then.
-        const shown = new Set([...meanings.values()].map((each) => each.field));
-        for (const each of this.spans.keys()) if (!shown.has(each)) this.spans.delete(each);
-    }
-
-    private draw(id: string, known: SliceRaster | null, raster = known!): void {
+    private draw(id: string, raster: SliceRaster): void {
         const meaning = this.meanings.peek().get(id);
-        const contours = this.contours.peek();
-        this.layer.set(id, raster, known === null || meaning === undefined ? null : { ...meaning, contours });
+        const seen = meaning !== undefined && usualRange(raster) !== null;
+        this.layer.set(id, raster, seen ? { ...meaning, contours: this.contours.peek() } : null);
         this.options.scene.loop.request();
     }
 

@@ -1,0 +1,124 @@
+// Records that are drawn as this page edits them before the server has answered, which is told the newest edit of each and no other:
+// slices, lines.
+import { effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
+import type { AppState } from '../../state/appState.ts';
+import { announceUnlessDisconnected } from '../base/calls.ts';
+import type { Edits } from './edits.ts';
+
+export interface RecordDraftsOptions<R extends { dataset: string }, P extends object> {
+    state: Pick<AppState, 'dataset' | 'problems'>;
+    edits: Pick<Edits, 'gestures' | 'history'>;
+    /** As methods call them: `slice`. */
+    noun: string;
+    records: ReadonlySignal<ReadonlyMap<string, R>>;
+    /** Returns what can be edited: not what the server alone writes. */
+    placeOf: (record: R) => P;
+    /** Tells the server. @param id undefined: a new one. Returns its id. */
+    set: (id: string | undefined, dataset: string, place: P, gesture: string) => Promise<string>;
+    remove: (id: string, gesture: string) => Promise<unknown>;
+    /** One is not in the picture any more. */
+    gone: (id: string) => void;
+}
+
+export class RecordDrafts<R extends { dataset: string }, P extends object> {
+    /** Those of the dataset that is shown, as they are drawn. */
+    readonly places = signal<ReadonlyMap<string, P>>(new Map());
+    private readonly options: RecordDraftsOptions<R, P>;
+    private readonly drafts = new Map<string, P>();
+    private readonly acts = new Map<string, string>();
+    private readonly sending = new Set<string>();
+
+    constructor(options: RecordDraftsOptions<R, P>) {
+        this.options = options;
+        effect(() => {
+            const records = options.records.value;
+            void options.state.dataset.value;
+            for (const [id, record] of records) if (!this.sending.has(id) && this.agrees(id, record)) this.drafts.delete(id);
+            untracked(() => this.publish());
+        });
+    }
+
+    /** Null: it was refused, and why is on the screen. */
+    async add(place: P): Promise<string | null> {
+        const { state, edits, noun, set } = this.options;
+        const dataset = state.dataset.value?.dataset;
+        if (dataset === undefined) return null;
+        const gesture = edits.gestures.begin();
+        try {
+            const id = await set(undefined, dataset, place, gesture);
+            edits.history.noted(gesture);
+            state.problems.solved(`${noun}.set`);
+            return id;
+        } catch (error) {
+            announceUnlessDisconnected(state.problems, `${noun}.set`, error);
+            return null;
+        }
+    }
+
+    /** Draws it so at once, and tells the server. */
+    change(id: string, change: Partial<P>): void {
+        const place = this.places.value.get(id);
+        if (place === undefined) return;
+        this.drafts.set(id, { ...place, ...change });
+        // Another field is another act than another place, also where one follows the other fast.
+        this.acts.set(id, `${this.options.noun} ${id} ${Object.keys(change).join(' ')}`);
+        this.publish();
+        if (!this.sending.has(id)) void this.send(id);
+    }
+
+    async remove(id: string): Promise<void> {
+        const { state, edits, noun, remove } = this.options;
+        const gesture = edits.gestures.begin();
+        try {
+            await remove(id, gesture);
+            edits.history.noted(gesture);
+        } catch (error) {
+            announceUnlessDisconnected(state.problems, `${noun}.delete`, error);
+        }
+    }
+
+    /** Of the edits of one record only the newest waits. */
+    private async send(id: string): Promise<void> {
+        const { state, edits, noun, records, set } = this.options;
+        this.sending.add(id);
+        try {
+            for (let sent: P | undefined; sent !== this.drafts.get(id);) {
+                sent = this.drafts.get(id)!;
+                const { dataset } = records.value.get(id)!;
+                const gesture = edits.gestures.slid(this.acts.get(id) ?? id, performance.now());
+                await set(id, dataset, sent, gesture);
+                edits.history.noted(gesture);
+            }
+            state.problems.solved(`${noun}.set`);
+        } catch (error) {
+            this.drafts.delete(id);
+            announceUnlessDisconnected(state.problems, `${noun}.set`, error);
+        }
+        this.sending.delete(id);
+        const record = records.value.get(id);
+        if (record === undefined || this.agrees(id, record)) this.drafts.delete(id);
+        this.publish();
+    }
+
+    /** The server has what this page draws, or nothing is drawn ahead. */
+    private agrees(id: string, record: R): boolean {
+        const draft = this.drafts.get(id);
+        return draft === undefined || sameMembers(draft, this.options.placeOf(record));
+    }
+
+    private publish(): void {
+        const { state, records, placeOf, gone } = this.options;
+        const places = new Map<string, P>();
+        for (const [id, record] of records.peek()) {
+            if (record.dataset === state.dataset.peek()?.dataset) places.set(id, this.drafts.get(id) ?? placeOf(record));
+        }
+        for (const id of this.places.peek().keys()) if (!places.has(id)) gone(id);
+        this.places.value = places;
+    }
+}
+
+/** In any order. */
+function sameMembers(a: object, b: object): boolean {
+    const text = (of: object): string => JSON.stringify(Object.entries(of).sort(([one], [other]) => (one < other ? -1 : 1)));
+    return text(a) === text(b);
+}

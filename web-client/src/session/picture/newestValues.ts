@@ -1,0 +1,127 @@
+// Values of things in the picture as the server has them: of each thing one request at a time, coarse while it changes and fine once it
+// stands still. What came meanwhile is asked for next, the newest alone; a fine request that is out of date is cancelled, a coarse one is
+// nearly here and shown, so that what is dragged never waits for its last place.
+import { faultOf, requestWords } from '../../connection/ownServer.ts';
+
+/** How finely values are asked for. Both the same: they are asked for once. */
+export interface Detail {
+    readonly coarse: number;
+    readonly full: number;
+    /** Told how long a coarse one took, from asking to having. */
+    learn: (ms: number) => void;
+}
+
+export interface NewestValuesOptions<W, V> {
+    fetch: (path: string, init: RequestInit) => Promise<Response>;
+    path: (wish: W, detail: number) => string;
+    /** Throws where the bytes are none. */
+    read: (bytes: ArrayBuffer) => V;
+    detail: Detail;
+    arrived: (id: string, values: V, wish: W) => void;
+    /** Why there are none for what is wanted; null: there are. */
+    told: (id: string, fault: string | null) => void;
+    /** Told when `unfinished` may be another. */
+    changed?: () => void;
+    now?: () => number;
+}
+
+interface Thing<W> {
+    wish: W;
+    key: string;
+    asked: { abort: AbortController; key: string; detail: number } | null;
+    /** Of what is shown, or could not be had. */
+    answered: { key: string; detail: number };
+    rest: ReturnType<typeof setTimeout> | undefined;
+}
+
+/** So long it stands still before it is fine. */
+const restMs = 150;
+
+export class NewestValues<W, V> {
+    private readonly options: NewestValuesOptions<W, V>;
+    private readonly things = new Map<string, Thing<W>>();
+
+    constructor(options: NewestValuesOptions<W, V>) {
+        this.options = options;
+    }
+
+    want(id: string, wish: W): void {
+        const key = JSON.stringify(wish);
+        const thing = this.things.get(id) ?? { wish, key: '', asked: null, answered: { key: '', detail: 0 }, rest: undefined };
+        this.things.set(id, thing);
+        if (thing.key === key) return;
+        Object.assign(thing, { wish, key });
+        clearTimeout(thing.rest);
+        if (thing.asked !== null && thing.asked.detail > this.options.detail.coarse) thing.asked.abort.abort();
+        this.next(id, thing);
+        this.options.changed?.();
+    }
+
+    remove(id: string): void {
+        const thing = this.things.get(id);
+        clearTimeout(thing?.rest);
+        thing?.asked?.abort.abort();
+        this.things.delete(id);
+        this.options.changed?.();
+    }
+
+    /** Something is not there, or not as fine as it is to be. */
+    get unfinished(): boolean {
+        const { full } = this.options.detail;
+        return [...this.things.values()].some(({ key, answered }) => answered.key !== key || answered.detail < full);
+    }
+
+    /** The screen has changed: what stands still may have to be finer. */
+    refresh(): void {
+        for (const [id, thing] of this.things) this.next(id, thing);
+    }
+
+    /** Again, also of what could not be had: the data or the connection are others. */
+    again(): void {
+        for (const [id, thing] of this.things) {
+            thing.answered = { key: '', detail: 0 };
+            this.next(id, thing);
+        }
+    }
+
+    private next(id: string, thing: Thing<W>): void {
+        if (thing.asked !== null) return;
+        const { key, answered } = thing;
+        const { detail } = this.options;
+        if (answered.key !== key) void this.ask(id, thing, detail.coarse);
+        else if (answered.detail < detail.full) {
+            clearTimeout(thing.rest);
+            thing.rest = setTimeout(() => {
+                if (thing.asked === null && this.things.get(id) === thing) void this.ask(id, thing, detail.full);
+            }, restMs);
+        }
+    }
+
+    private async ask(id: string, thing: Thing<W>, detail: number): Promise<void> {
+        const { fetch, path, read, arrived, told, now = () => performance.now() } = this.options;
+        const { wish, key } = thing;
+        const asked = { abort: new AbortController(), key, detail };
+        thing.asked = asked;
+        const begun = now();
+        let fault: string | null = null;
+        let values: V | null = null;
+        try {
+            const reply = await fetch(path(wish, detail), { signal: asked.abort.signal });
+            if (!reply.ok) throw await faultOf(reply);
+            values = read(await reply.arrayBuffer());
+            if (detail === this.options.detail.coarse) this.options.detail.learn(now() - begun);
+        } catch (error) {
+            fault = requestWords(error);
+        }
+        thing.asked = null;
+        if (this.things.get(id) !== thing) return;
+        if (values !== null) arrived(id, values, wish);
+        // What was cancelled was not answered.
+        if (!asked.abort.signal.aborted) {
+            thing.answered = { key, detail: values === null ? Number.POSITIVE_INFINITY : detail };
+            if (key === thing.key) told(id, fault);
+        }
+        this.next(id, thing);
+        this.options.changed?.();
+    }
+}
