@@ -47,6 +47,27 @@ describe('a slice', () => {
         await expect.poll(async () => (await records())[0]!.origin[2]).toBe(first!.origin[2]);
     }, 120_000);
 
+    it('is dragged by its handle in the picture, as one act, and shows arrows of the flow in it', async () => {
+        const [before] = await records();
+        const handle = await page.evaluate((z) => {
+            const [x0, x1, y0, y1] = window.wakesurf!.bounds!;
+            return window.wakesurf!.project([(x0! + x1!) / 2, (y0! + y1!) / 2, z])!;
+        }, before!.origin[2]);
+        await page.mouse.move(handle.x, handle.y);
+        await page.mouse.down();
+        for (let i = 1; i <= 12; ++i) await page.mouse.move(handle.x, handle.y - 4 * i);
+        await page.getByText(/^z = /).waitFor();
+        await page.mouse.up();
+        await drawn();
+        const [moved] = await records();
+        expect(moved!.origin[2]).toBeGreaterThan(before!.origin[2] + 0.1);
+        expect(moved!.normal).toEqual(before!.normal);
+        await page.getByLabel('Arrows of the flow in the plane').check();
+        await page.getByText(/^The longest arrow is 1\.\d/).waitFor();
+        await page.keyboard.press('Control+z');
+        await expect.poll(async () => (await records())[0]!.origin[2]).toBe(before!.origin[2]);
+    }, 120_000);
+
     it('that misses the domain is refused in words, and stays where it was', async () => {
         const [before] = await records();
         const field = page.getByLabel('Origin z');

@@ -6,9 +6,10 @@ import type { Vec3 } from '../protocol/messages.ts';
 import { type AutomaticRanges, type SurfaceLook, usualLook } from './surfaceLook.ts';
 import { allShown, type ClipPlanes, noClip, type Visibility } from './pageView.ts';
 import { noUnits, type Units } from './appState.ts';
+import { plainSlices, type SliceLook } from './sliceLook.ts';
 
 /** What a click on the picture does. */
-export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint';
+export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint' | 'slice';
 
 export type Theme = 'system' | 'dark' | 'light';
 
@@ -78,6 +79,8 @@ export class ViewState {
     readonly besidePointer = signal<{ at: { x: number; y: number }; words: string } | null>(null);
     /** Up to two points. */
     readonly measured = signal<readonly Vec3[]>([]);
+    /** Of a slice that is to go through three, those that were clicked. */
+    readonly slicePoints = signal<readonly Vec3[]>([]);
     readonly note = signal<NoteDraft | null>(null);
     /** What was typed into notes and not saved, by note; '' is a new one. */
     private readonly typedNotes = new Map<string, string>();
@@ -90,6 +93,7 @@ export class ViewState {
     readonly visibility = signal<Visibility>(allShown);
     readonly clip = signal<ClipPlanes>(noClip);
     readonly body = signal<BodyLook>(plainBody);
+    readonly slices = signal<SliceLook>(plainSlices);
     /** The size of a unit of length where the camera looks, once it rests. */
     readonly pixelsPerLength = signal(1);
     /** The parts of the selected surface are listed. */

@@ -155,6 +155,8 @@ function createSlice(): Drawn['mesh'] {
         vertexShader,
         fragmentShader,
         side: DoubleSide,
+        // Behind the arrows that lie on it.
+        ...{ polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 },
         uniforms: {
             codes: { value: codesTexture(new Uint16Array(1), 1, 1) },
             table: { value: table },

@@ -13,7 +13,13 @@ function slicesOf(page: PageBench) {
     const slices = new Slices({
         ...{ state: page.state, view: page.view, worker: page.worker, edits: page.edits, time: () => 9 },
         scene: {
-            ...{ add: () => undefined, hold: () => undefined, pick: () => null, view: () => null as never },
+            ...{
+                add: () => undefined,
+                hold: () => undefined,
+                pick: () => null,
+                view: () => null as never,
+                rakes: { pointUnder: () => null },
+            },
             ...{ size: { width: 800, height: 600 }, loop: { request: () => undefined }, pointerTools: { add: () => undefined } },
         },
         server: {

@@ -7,6 +7,7 @@ import type { FlowScene } from '../../scene/scene.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import { dot, unit } from '../../scene/rake/rakeShape.ts';
 import { spanAcross } from '../../scene/slices/planeSection.ts';
+import { SliceArrowLayer } from '../../scene/slices/sliceArrows.ts';
 import { SliceHandles } from '../../scene/slices/sliceHandles.ts';
 import { SliceLayer } from '../../scene/slices/sliceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -16,13 +17,16 @@ import type { WorkerClient } from '../../worker/workerClient.ts';
 import type { Edits } from '../edits/edits.ts';
 import { RecordDrafts } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
+import { SlicePoints } from '../tools/slicePoints.ts';
 import { FieldColours, type FieldMeaning } from './fieldColours.ts';
+import { SliceArrows } from './sliceArrows.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
     state: AppState;
-    view: Pick<ViewState, 'besidePointer' | 'tool'>;
+    view: Pick<ViewState, 'besidePointer' | 'slicePoints' | 'slices' | 'tool'>;
     scene: Pick<FlowScene, 'add' | 'hold' | 'pick' | 'size' | 'view'> & {
+        rakes: Pick<FlowScene['rakes'], 'pointUnder'>;
         loop: Pick<FlowScene['loop'], 'request'>;
         pointerTools: Pick<FlowScene['pointerTools'], 'add'>;
     };
@@ -44,11 +48,10 @@ export class Slices {
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there, or not as fine as the screen. */
     readonly waiting = signal(false);
-    /** Lines of equal values of each; a look of this page. */
-    readonly contours = signal(0);
     /** Has handles in the picture. */
     readonly chosen = signal<string | null>(null);
     readonly handles: SliceHandles;
+    readonly arrows: SliceArrows;
     private readonly options: SlicesOptions;
     private readonly layer = new SliceLayer();
     private readonly values: SliceValues;
@@ -67,7 +70,15 @@ export class Slices {
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
             arrived: (id, raster, wish) => this.arrived(id, raster, wish),
             told: (id, fault) => this.tell(id, fault),
-            changed: () => (this.waiting.value = this.values.unfinished),
+            changed: () => this.count(),
+        });
+        const arrows = new SliceArrowLayer();
+        scene.add(arrows);
+        this.arrows = new SliceArrows({
+            layer: arrows,
+            fetch: (path, init) => server.fetch(path, init),
+            requestFrame: () => scene.loop.request(),
+            changed: () => this.count(),
         });
         this.drafts = new RecordDrafts<SliceRecord, SlicePlace>({
             ...{ state, edits, noun: 'slice', records: state.slices, placeOf },
@@ -83,7 +94,11 @@ export class Slices {
         const data = computed(() => JSON.stringify([state.datasetEntry.value?.values, state.datasetEntry.value?.steps.ready]));
         effect(() => {
             void data.value;
-            if (state.stage.value === 'running') untracked(() => this.values.again());
+            if (state.stage.value !== 'running') return;
+            untracked(() => {
+                this.values.again();
+                this.arrows.again();
+            });
         });
         effect(() => {
             const place = this.places.value.get(this.chosen.value ?? '') ?? null;
@@ -91,14 +106,16 @@ export class Slices {
             untracked(() => this.handles.set(place, bounds));
         });
         effect(() => {
-            void this.contours.value;
+            void options.view.slices.value;
             untracked(() => this.rasters.forEach((raster, id) => this.draw(id, raster)));
         });
     }
 
-    /** Adds a slice through a point. */
-    add(origin: Vec3, normal: Vec3, field = this.options.state.dataset.value?.velocity ?? ''): Promise<string | null> {
-        return this.drafts.add({ origin, normal, field });
+    /** Adds a slice through a point, of the field of the chosen one, and chooses it. */
+    async add(origin: Vec3, normal: Vec3): Promise<void> {
+        const before = this.places.value.get(this.chosen.value ?? '') ?? [...this.places.value.values()][0];
+        const field = before?.field ?? this.options.state.dataset.value?.velocity ?? '';
+        this.chosen.value = (await this.drafts.add({ origin, normal, field })) ?? this.chosen.value;
     }
 
     /** Draws it so at once, and tells the server. */
@@ -123,6 +140,14 @@ export class Slices {
         });
         scene.add(handles);
         scene.pointerTools.add(handles);
+        scene.pointerTools.add(
+            new SlicePoints({
+                view,
+                pick: (at) => scene.pick(at),
+                rakeAt: (at) => scene.rakes.pointUnder(at, scene.view()),
+                add: (origin, normal) => void this.add(origin, normal),
+            }),
+        );
         // A click on a slice chooses it; one beside all of them takes the handles away.
         scene.pointerTools.add({
             click: ({ at }) => {
@@ -145,12 +170,20 @@ export class Slices {
         for (const [id, { origin, normal, field }] of this.places.value) {
             // The edit is about to be refused, in words.
             if (!meets(description.bounds, origin, normal)) continue;
-            this.values.want(id, { dataset, origin, normal, field, time });
+            const wish = { dataset, origin, normal, field, time };
+            this.values.want(id, wish);
+            if (this.options.view.slices.value.arrows) this.arrows.want(id, wish);
+            else this.arrows.remove(id);
         }
+    }
+
+    private count(): void {
+        this.waiting.value = this.values.unfinished || this.arrows.unfinished;
     }
 
     private forget(id: string): void {
         this.values.remove(id);
+        this.arrows.remove(id);
         this.layer.remove(id);
         this.rasters.delete(id);
         this.tell(id, null);
@@ -175,7 +208,7 @@ export class Slices {
     private draw(id: string, raster: SliceRaster): void {
         const meaning = this.meanings.peek().get(id);
         const seen = meaning !== undefined && usualRange(raster) !== null;
-        this.layer.set(id, raster, seen ? { ...meaning, contours: this.contours.peek() } : null);
+        this.layer.set(id, raster, seen ? { ...meaning, contours: this.options.view.slices.peek().contours } : null);
         this.options.scene.loop.request();
     }
 

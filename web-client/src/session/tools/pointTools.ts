@@ -1,4 +1,4 @@
-// Tools that act on a point of what is seen: a surface, the body, a rake or the disc of a round one. In the open there is no such point,
+// Tools that act on a point of what is seen: a surface, the body, a slice, a rake or the disc of a round one. In the open there is no such point,
 // because a picture has no depth there. The probe shows what the flow does at a point, or where numbers say; the measure is the distance
 // between two; a note has a place by a click, and words by a dialog.
 import type { Vec3 } from '../../protocol/messages.ts';
@@ -13,7 +13,7 @@ import { shownTime } from '../time/timeSteps.ts';
 
 export interface Aim {
     point: Vec3;
-    /** Null: on the body, or a rake. */
+    /** Null: on no surface. */
     on: SeenPlace | null;
 }
 
@@ -23,10 +23,10 @@ export interface Sight {
     rakeAt: (at: ScreenPoint) => Vec3 | null;
 }
 
-export const nothingThere = 'There is nothing under the pointer. Point at a surface, the body or a rake.';
+export const nothingThere = 'There is nothing under the pointer. Point at a surface, the body, a slice or a rake.';
 
 /** Null where nothing can be seen. */
-function aim({ pick, rakeAt }: Sight, at: ScreenPoint): Aim | null {
+export function aim({ pick, rakeAt }: Sight, at: ScreenPoint): Aim | null {
     const hit = pick(at);
     if (hit !== null) {
         const { point, surface, s, t, scalar } = hit;

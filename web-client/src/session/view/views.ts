@@ -15,6 +15,7 @@ import {
     renamedView,
     renamedVisibility,
 } from '../../state/pageView.ts';
+import { decodeSlices, encodeSlices, plainSlices } from '../../state/sliceLook.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { encodeLinkState, showFragment, type UrlState, writeFragment } from './urlState.ts';
@@ -55,7 +56,7 @@ export class Views {
         effect(() => {
             // Whatever of these changes, the address does.
             void [state.session.value, state.rakes.value, state.surfaces.value, state.activeSurface.value];
-            void [view.looks.value, view.clip.value, view.body.value, view.visibility.value];
+            void [view.looks.value, view.clip.value, view.body.value, view.slices.value, view.visibility.value];
             this.changed();
         });
     }
@@ -79,12 +80,13 @@ export class Views {
             looks: Object.fromEntries(looks) as Record<string, Partial<SurfaceLook>>,
             ...(clip === noClip ? {} : { clip }),
             ...(view.body.value === plainBody ? {} : { body: encodeBody(view.body.value) }),
+            ...(view.slices.value === plainSlices ? {} : { slices: encodeSlices(view.slices.value) }),
             ...(shown === undefined ? {} : { shown }),
             ...(masks.length === 0 ? {} : { masks: Object.fromEntries(masks) }),
         };
     }
 
-    show({ camera, surface, looks, clip, body, masks = {}, shown }: PageView): void {
+    show({ camera, surface, looks, clip, body, slices, masks = {}, shown }: PageView): void {
         const { state, view, scene } = this.options;
         if (camera !== undefined) {
             view.orthographic.value = camera.orthographic;
@@ -95,6 +97,7 @@ export class Views {
             view.looks.value = new Map(Object.entries(looks).map(([id, look]) => [id, decodeLook(look)]));
             view.clip.value = clip ?? noClip;
             view.body.value = body === undefined ? plainBody : decodeBody(body);
+            view.slices.value = slices === undefined ? plainSlices : decodeSlices(slices);
             view.visibility.value = decodeVisibility(shown);
         }
         for (const [id, code] of Object.entries(masks)) scene.surfaces.setMask(id, code);

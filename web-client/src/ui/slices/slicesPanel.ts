@@ -1,14 +1,17 @@
 // Planes through the data: which there are, where they lie and what they show.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import type { Vec3 } from '../../protocol/messages.ts';
-import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
+import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
+import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import { levelFields } from '../../session/edits/defaults.ts';
 import { dot, plus, times, unit } from '../../scene/rake/rakeShape.ts';
 import { spanWithin } from '../../scene/slices/sliceHandles.ts';
 import { planeWords, type SlicePlace, Slices } from '../../session/picture/slicesInPicture.ts';
+import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
-import { selectRow, sliderRow, vectorFields } from '../base/rows.ts';
+import { mostContours } from '../../state/sliceLook.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { checkRow, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { fieldWords } from '../surface/levelPanel.ts';
 
@@ -17,6 +20,7 @@ export { Slices };
 
 export interface SlicesModel {
     state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'slices'>;
+    view: Pick<ViewState, 'slices' | 'tool'>;
     slices: Slices;
 }
 
@@ -33,7 +37,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
     static override styles = css`
         .add {
             display: grid;
-            grid-template-columns: auto repeat(3, 1fr) auto;
+            grid-template-columns: auto repeat(3, 1fr) auto auto;
             gap: 6px;
             align-items: center;
         }
@@ -80,11 +84,12 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
 
     private adding(bounds: Bounds): TemplateResult {
         const rake = this.model.state.rakePoints.value;
+        const { tool } = this.model.view;
         return html`<div class="add" role="group" aria-label="Add a slice">
-            <span>Add across</span>
+            <span>Add</span>
             ${axes.map(
                 ([axis, normal]) =>
-                    html`<button type="button" id=${`slice-${axis}`} @click=${() => this.add(middleOf(bounds), normal)}>${axis}</button>`,
+                    html`<button type="button" id=${`slice-${axis}`} title=${`A plane across ${axis}`} @click=${() => this.model.slices.add(middleOf(bounds), normal)}>${axis}</button>`,
             )}
             <button
                 type="button"
@@ -94,6 +99,15 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                 @click=${() => this.addAcross(rake)}
             >
                 rake
+            </button>
+            <button
+                type="button"
+                id="slice-points"
+                title="A plane through three points: click each in the picture"
+                aria-pressed=${tool.value === 'slice'}
+                @click=${() => (tool.value = tool.value === 'slice' ? 'none' : 'slice')}
+            >
+                3 points
             </button>
         </div>`;
     }
@@ -114,9 +128,11 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
     }
 
     private settings(id: string, place: SlicePlace, bounds: Bounds, locked: boolean): TemplateResult {
-        const { state, slices } = this.model;
+        const { state, view, slices } = this.model;
         const dataset = state.dataset.value!;
         const { origin, normal, field } = place;
+        const look = view.slices.value;
+        const longest = slices.arrows.longest.value.get(id);
         const names = levelFields(dataset);
         const choices = (names.includes(field) ? names : [field, ...names]).map((name) => ({
             value: name,
@@ -164,30 +180,31 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                   `
             }
             ${sliderRow({
-                ...{ id: 'slice-contours', words: 'Contour lines', value: slices.contours.value, low: 0, high: 40, step: 1 },
-                shown: slices.contours.value === 0 ? 'none' : String(slices.contours.value),
-                change: (value) => (slices.contours.value = value),
+                ...{ id: 'slice-contours', words: 'Contour lines', value: look.contours, low: 0, high: mostContours, step: 1 },
+                shown: look.contours === 0 ? 'none' : String(look.contours),
+                change: (contours) => (view.slices.value = { ...look, contours }),
             })}
+            ${checkRow('Arrows of the flow in the plane', look.arrows, (arrows) => (view.slices.value = { ...look, arrows }), { id: 'slice-arrows' })}
+            ${look.arrows && longest !== undefined ? html`<p class="quiet">${arrowWords(longest, dataset)}</p>` : nothing}
         `;
-    }
-
-    private async add(origin: Vec3, normal: Vec3): Promise<void> {
-        const { slices } = this.model;
-        const shown = slices.places.value.get(slices.chosen.value ?? '') ?? [...slices.places.value.values()][0];
-        const made = await slices.add(origin, normal, shown?.field);
-        if (made !== null) slices.chosen.value = made;
     }
 
     private addAcross(rake: readonly Vec3[]): Promise<void> {
         const [a, b] = [rake[0]!, rake.at(-1)!];
         const middle = a.map((each, k) => (each + b[k]!) / 2) as unknown as Vec3;
         const along = a.map((each, k) => b[k]! - each) as unknown as Vec3;
-        return this.add(middle, dot(along, along) > 0 ? along : [1, 0, 0]);
+        return this.model.slices.add(middle, dot(along, along) > 0 ? along : [1, 0, 0]);
     }
 }
 
 function middleOf(bounds: Bounds): Vec3 {
     return [0, 1, 2].map((k) => (bounds[2 * k]! + bounds[2 * k + 1]!) / 2) as unknown as Vec3;
+}
+
+function arrowWords(longest: number, { fields, velocity }: DatasetDescription): string {
+    if (longest === 0) return 'Nothing flows along this plane.';
+    const unit = fields.find(({ name }) => name === velocity)?.unit ?? '';
+    return `The longest arrow is ${withUnit(shortNumber(Number(longest.toPrecision(2))), unit)}.`;
 }
 
 customElements.define('wakesurf-slices', SlicesPanel);
