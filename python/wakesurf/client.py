@@ -224,8 +224,8 @@ class Client(Helpful):
     def profile(self, dataset: str, line: Points, fields: Sequence[str] = ("speed",), time: Optional[float] = None, *,
                 samples: int = 401) -> Series:
         """Returns values at `samples` places evenly along a line, given by its ends or more points, or by a rake's `points`.
-        `fields`: "speed", "velocity_x" and so on, the velocity by its name, stored scalars. `time`: left out, the first.
-        Error: as `probe`.
+        `fields`: "speed", "velocity_x" and so on, the velocity by its name, stored scalars, "vorticity_z" and the like.
+        `time`: left out, the first. Error: as `probe`.
 
         >>> along = client.profile("tornado", [(0.2, 0.5, 0.5), (0.8, 0.5, 0.5)], ["speed"], samples=3)
         >>> list(along.columns), along["distance"].round(6)

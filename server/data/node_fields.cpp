@@ -186,7 +186,8 @@ namespace {
 core::Result<NodeField> named_field(const std::string& name,
                                     const std::string& velocity,
                                     const store::StoreScalars* scalars,
-                                    std::span<const core::FieldInfo> of_files) {
+                                    std::span<const core::FieldInfo> of_files,
+                                    std::string_view parameter = "field") {
     using Source = NodeField::Source;
     if (scalars != nullptr)
         if (const auto scalar = scalars->find(name))
@@ -201,15 +202,16 @@ core::Result<NodeField> named_field(const std::string& name,
         return NodeField{name, Source::Gradient, static_cast<std::size_t>(*derived)};
     const auto stored = scalars == nullptr ? std::vector<std::string>{} : scalars->names();
     return tl::unexpected(
-        no_such_field("field", name, node_field_names(stored, velocity), of_files));
+        no_such_field(parameter, name, node_field_names(stored, velocity), of_files));
 }
 
 } // namespace
 
 core::Result<NodeField> find_node_field(const std::string& name,
                                         const core::DatasetInfo& info,
-                                        const store::StoreScalars* scalars) {
-    return named_field(name, info.velocity, scalars, info.fields);
+                                        const store::StoreScalars* scalars,
+                                        std::string_view parameter) {
+    return named_field(name, info.velocity, scalars, info.fields, parameter);
 }
 
 core::SampledField sampled(const NodeField& field, const store::StoreScalars* scalars) {

@@ -19,6 +19,7 @@
 #include <span>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace wakesurf::server {
@@ -34,10 +35,12 @@ struct NodeField {
 };
 
 /// Finds a field by its name: a stored scalar, the velocity for its magnitude, or what is made of the velocity.
-/// @param scalars  of the store; null for a built-in flow. Error: NotFound, saying what there is.
+/// @param scalars    of the store; null for a built-in flow
+/// @param parameter  that has the name, for the error. Error: NotFound, saying what there is.
 core::Result<NodeField> find_node_field(const std::string& name,
                                         const core::DatasetInfo& info,
-                                        const store::StoreScalars* scalars);
+                                        const store::StoreScalars* scalars,
+                                        std::string_view parameter = "field");
 
 /// Returns the field for samplers, which must not outlive `scalars`.
 core::SampledField sampled(const NodeField& field, const store::StoreScalars* scalars);

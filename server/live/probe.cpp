@@ -2,12 +2,13 @@
 
 #include "core/base/either_stop.hpp"
 #include "core/base/rounding.hpp"
-#include "core/field/sample_scalar.hpp"
-#include "server/base/field_names.hpp"
+#include "core/field/sampled_field.hpp"
 #include "server/data/dataset_suggestion.hpp"
+#include "server/data/node_fields.hpp"
 
 #include <fmt/format.h>
 
+#include <cstdint>
 #include <limits>
 
 namespace wakesurf::server {
@@ -17,36 +18,53 @@ using core::fail;
 
 namespace {
 
-core::Result<ProbeField> sample_velocity(const OpenDataset& dataset,
-                                         const ProbeRequest& request,
-                                         const std::vector<double>& times,
-                                         const std::stop_token& stop) {
-    ProbeField field{dataset.info.velocity, std::vector<core::Vec3>(request.points.size()), {}};
-    return dataset.flow->sample(request.points, times, field.vectors, stop).map([&] {
-        return std::move(field);
+/// Which points are in the fluid, and have a velocity then.
+core::Result<std::vector<bool>>
+inside(const core::Flow& flow, const ProbeRequest& request, const std::stop_token& stop) {
+    const std::vector<double> times(request.points.size(), request.time);
+    std::vector<std::uint8_t> gap(request.points.size());
+    return flow.mark_gaps(request.points, times, gap, stop).map([&] {
+        std::vector<bool> out;
+        for (std::size_t i = 0; i < gap.size(); ++i)
+            out.push_back(gap[i] == 0 &&
+                          flow.status(request.points[i]) == core::PointStatus::Inside);
+        return out;
     });
 }
 
-core::Result<ProbeField> sample_field(const OpenDataset& dataset,
-                                      const ProbeRequest& request,
-                                      const std::string& name,
-                                      const std::vector<double>& times,
-                                      const std::stop_token& stop) {
-    if (name == dataset.info.velocity)
-        return sample_velocity(dataset, request, times, stop);
-    const auto scalar = dataset.scalars
-                            ? dataset.scalars->find(name)
-                            : fail(Error::Code::NotFound, "a built-in flow stores none");
-    if (!scalar) {
-        auto there = dataset.scalars ? dataset.scalars->names() : std::vector<std::string>();
-        there.push_back(dataset.info.velocity);
-        return tl::unexpected(no_such_field("fields", name, there, dataset.info.fields));
+core::Result<ProbeField> sample(const OpenDataset& dataset,
+                                const std::string& name,
+                                const std::vector<core::Vec3>& places,
+                                double time,
+                                const std::stop_token& stop) {
+    if (name == dataset.info.velocity) {
+        ProbeField out{name, std::vector<core::Vec3>(places.size()), {}};
+        const std::vector<double> times(places.size(), time);
+        return dataset.flow->sample(places, times, out.vectors, stop).map([&] {
+            return std::move(out);
+        });
     }
-    return core::sample_scalar(*dataset.flow, *dataset.scalars, *scalar, request.points, times,
-                               stop)
+    return find_node_field(name, dataset.info, dataset.scalars.get(), "fields")
+        .and_then([&](const NodeField& field) {
+            return core::sample_field(sampled(field, dataset.scalars.get()), *dataset.flow, places,
+                                      time, stop);
+        })
         .map([&](std::vector<float> values) {
             return ProbeField{name, {}, std::move(values)};
         });
+}
+
+/// Values of the points that are inside, as values of all of them: outside a flow answers with the value at the nearest place, which is no
+/// measurement.
+template <class Value>
+std::vector<Value>
+spread(const std::vector<Value>& values, const std::vector<bool>& inside, const Value& nothing) {
+    std::vector<Value> out(inside.size(), nothing);
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < inside.size(); ++i)
+        if (inside[i])
+            out[i] = values[next++];
+    return out;
 }
 
 } // namespace
@@ -62,31 +80,27 @@ probe(const OpenDataset& dataset, const ProbeRequest& asked, const std::stop_tok
                     fmt::format("time {} is outside the data's {} to {}", request.time, (*range)[0],
                                 (*range)[1]),
                     "choose `time` inside it");
-    ProbeResult result;
-    const std::vector<double> times(request.points.size(), request.time);
+    auto found = inside(*dataset.flow, request, stop);
+    if (!found)
+        return tl::unexpected(found.error());
+    ProbeResult result{std::move(*found), {}};
+    std::vector<core::Vec3> places;
+    for (std::size_t i = 0; i < result.inside.size(); ++i)
+        if (result.inside[i])
+            places.push_back(request.points[i]);
     const auto wanted =
         request.fields.empty() ? std::vector{dataset.info.velocity} : request.fields;
     for (const std::string& name : wanted) {
-        auto field = sample_field(dataset, request, name, times, stop);
+        auto field = sample(dataset, name, places, request.time, stop);
         if (!field)
             return tl::unexpected(field.error());
+        constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
+        if (name == dataset.info.velocity)
+            field->vectors = spread(field->vectors, result.inside, core::Vec3(nothing));
+        else
+            field->scalars = spread(field->scalars, result.inside, nothing);
         result.fields.push_back(std::move(*field));
     }
-    std::vector<std::uint8_t> gap(request.points.size());
-    if (auto marked = dataset.flow->mark_gaps(request.points, times, gap, stop); !marked)
-        return tl::unexpected(marked.error());
-    for (std::size_t i = 0; i < gap.size(); ++i)
-        result.inside.push_back(gap[i] == 0 && dataset.flow->status(request.points[i]) ==
-                                                   core::PointStatus::Inside);
-    // A flow answers everywhere, outside with the value at the nearest place, which is no measurement.
-    constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-    for (ProbeField& field : result.fields)
-        for (std::size_t i = 0; i < gap.size(); ++i) {
-            if (!result.inside[i] && !field.vectors.empty())
-                field.vectors[i] = core::Vec3(nothing);
-            if (!result.inside[i] && !field.scalars.empty())
-                field.scalars[i] = static_cast<float>(nothing);
-        }
     return result;
 }
 

@@ -18,7 +18,8 @@ namespace wakesurf::server {
 struct ProbeRequest {
     std::vector<core::Vec3> points;
     double time = 0.0;
-    std::vector<std::string> fields; ///< the velocity's name or scalars; empty: the velocity
+    std::vector<std::string>
+        fields; ///< the velocity as vectors, any other as find_node_field; empty: the velocity
 };
 
 struct ProbeField {
@@ -32,8 +33,8 @@ struct ProbeResult {
     std::vector<ProbeField> fields;
 };
 
-/// Interpolates like the engine, linear in time. Blocks while time-steps load. Error: OutOfTime, NotFound (a
-/// field), that of reading.
+/// Interpolates like the engine, linear in time; what is made of the velocity as core::sample_field does. Blocks while time-steps load.
+/// Error: OutOfTime, NotFound (a field), that of reading.
 core::Result<ProbeResult>
 probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_token& stop);
 

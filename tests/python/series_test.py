@@ -27,6 +27,12 @@ class SeriesTest(ServerTest):
             probed = self.client.probe("tornado", [(0.5, 0.6, 0.5)], time=time)["velocity"][0]
             np.testing.assert_array_equal([history[f"velocity_{axis}"][i] for axis in "xyz"], probed)
 
+    def test_has_what_the_server_makes_of_the_velocity(self):
+        parts = [f"vorticity_{axis}" for axis in "xyz"]
+        along = self.client.profile("tornado", [(0.3, 0.5, 0.5), (0.7, 0.6, 0.5)], ["vorticity", *parts], time=1, samples=5)
+        self.assertGreater(along["vorticity"].min(), 0)
+        np.testing.assert_allclose(along["vorticity"], np.linalg.norm([along[part] for part in parts], axis=0), rtol=1e-5)
+
     def test_is_saved_as_the_page_saves_it(self):
         found = Series({"distance": np.array([0.0, 1.0]), "p, static": np.array([np.nan, 1e21]), "q": np.array([1e-7, 0.25])},
                        {"distance": "m", "p, static": "Pa"})

@@ -1,4 +1,4 @@
-// What a probe says where the data have no velocity, at the time that it asks for.
+// What a probe says where the data have no velocity, at the time that it asks for, and of what is made of the velocity.
 #include "core/field/stored_flow.hpp"
 #include "server/live/probe.hpp"
 #include "tests/support/sampled_source.hpp"
@@ -34,6 +34,34 @@ TEST(Probe, IsOutsideAndHasNoNumberWhereTheDataHaveNone) {
     ASSERT_TRUE(later.has_value());
     EXPECT_EQ(later->inside, (std::vector{true, false, false}));
     EXPECT_TRUE(std::isnan(later->fields[0].vectors[1].x));
+}
+
+TEST(Probe, HasWhatIsMadeOfTheVelocityAsOfAnyField) {
+    OpenDataset dataset;
+    dataset.info.velocity = "U";
+    // A rigid rotation at 3 about z, which rises at 2: vorticity 6, Q 9.
+    dataset.flow = core::make_stored_flow(std::make_shared<core::TimeStepCache>(
+        std::make_shared<tests::SampledSource>(
+            core::UniformGrid{{-1, -1, -1}, Vec3(0.25), {9, 9, 9}}, std::vector{0.0, 1.0},
+            [](const Vec3& p, double) { return Vec3(-3.0 * p.y, 3.0 * p.x, 2.0); }),
+        core::TimeStepCache::Options{}));
+    const std::vector<Vec3> points{{9, 9, 9}, {0.3, -0.1, 0.2}};
+    const auto found = probe(
+        dataset, {points, 0.5, {"vorticity_z", "q_criterion", "velocity_z", "vorticity_x"}}, {});
+    ASSERT_TRUE(found.has_value()) << found.error().message;
+    EXPECT_EQ(found->inside, (std::vector{false, true}));
+    const std::vector expected{6.0F, 9.0F, 2.0F, 0.0F};
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        EXPECT_TRUE(std::isnan(found->fields[i].scalars[0]));
+        EXPECT_NEAR(found->fields[i].scalars[1], expected[i], 1e-4);
+    }
+    const auto nowhere = probe(dataset, {{{9, 9, 9}}, 0.5, {"U", "vorticity"}}, {});
+    ASSERT_TRUE(nowhere.has_value());
+    EXPECT_TRUE(std::isnan(nowhere->fields[0].vectors.at(0).x));
+    EXPECT_TRUE(std::isnan(nowhere->fields[1].scalars.at(0)));
+    const auto none = probe(dataset, {points, 0.5, {"pressure"}}, {});
+    ASSERT_FALSE(none.has_value());
+    EXPECT_EQ(none.error().code, core::Error::Code::NotFound);
 }
 
 } // namespace
