@@ -188,29 +188,16 @@ describe('a picture', () => {
     });
 });
 
-describe('a film', () => {
-    it('has every frame of the playback; it and one that is cancelled leave the clock as it was', async () => {
-        await page.getByRole('tab', { name: 'Flow' }).click();
-        await changed(() => page.getByRole('radio', { name: 'Streak' }).check());
-        const session = await ask(page, (hook) => hook.session);
-        await rig.server.call('time.set', { session, time: 10 });
-        await page.waitForFunction(() => window.wakesurf!.displayed!.time === 10);
-        await toExport();
-        await chooseSize('film', 320, 240);
-        await page.locator('#film-fps').selectOption('12');
-        await page.locator('#film-seconds').fill('1');
-        await page.locator('#film-seconds').press('Tab');
-        const { bytes, name } = await saved('#record-film');
-        expect(name).toBe('sqcyl-film.webm');
-        await expect.poll(async () => (await records()).clock).toMatchObject({ time: 10, playing: false });
-        // In a page without the content security policy of ours, which plays nothing.
-        const player = await page.context().newPage();
-        const played = await player.evaluate(async (data) => {
+/** What a player makes of a film of 12 frames in a second. In a page without the content security policy of ours, which plays nothing. */
+async function playedFilm(bytes: Buffer, type: string) {
+    const player = await page.context().newPage();
+    const played = await player.evaluate(
+        async ({ data, type }) => {
             const content = Uint8Array.from(atob(data), (each) => each.charCodeAt(0));
             const video = document.createElement('video');
             video.muted = true;
             document.body.append(video);
-            video.src = URL.createObjectURL(new Blob([content], { type: 'video/webm' }));
+            video.src = URL.createObjectURL(new Blob([content], { type }));
             await new Promise((resolve, reject) => {
                 video.onloadeddata = resolve;
                 video.onerror = () => reject(new Error(video.error?.message));
@@ -230,13 +217,56 @@ describe('a film', () => {
                 a.reduce((sum, value, k) => sum + (Math.abs(value - b[k]!) > 24 ? 1 : 0), 0);
             const changes = frames.slice(1).map((frame, i) => differ(frame, frames[i]!));
             return { duration: video.duration, size: [video.videoWidth, video.videoHeight], changes };
-        }, bytes.toString('base64'));
-        await player.close();
+        },
+        { data: bytes.toString('base64'), type },
+    );
+    await player.close();
+    return played;
+}
+
+describe('a film', () => {
+    it('has every frame of the playback; it and one that is cancelled leave the clock as it was', async () => {
+        await page.getByRole('tab', { name: 'Flow' }).click();
+        await changed(() => page.getByRole('radio', { name: 'Streak' }).check());
+        const session = await ask(page, (hook) => hook.session);
+        await rig.server.call('time.set', { session, time: 10 });
+        await page.waitForFunction(() => window.wakesurf!.displayed!.time === 10);
+        await toExport();
+        await chooseSize('film', 320, 240);
+        await page.locator('#film-fps').selectOption('12');
+        await page.locator('#film-seconds').fill('1');
+        await page.locator('#film-seconds').press('Tab');
+        const { bytes, name } = await saved('#record-film');
+        expect(name).toBe('sqcyl-film.webm');
+        await expect.poll(async () => (await records()).clock).toMatchObject({ time: 10, playing: false });
+        const played = await playedFilm(bytes, 'video/webm');
         expect(played.size).toEqual([320, 240]);
         expect(played.duration).toBeCloseTo(1, 1);
         // The sheet grows from frame to frame.
         expect(played.changes).toHaveLength(11);
         expect(Math.min(...played.changes)).toBeGreaterThan(20);
+        // As MP4, and from one saved view to another, where there are two.
+        const eye = await ask(page, (hook) => hook.camera);
+        for (const [name, x] of [
+            ['front', -8],
+            ['behind', 8],
+        ] as const) {
+            const view = { camera: { position: [x, -20, 12], target: eye.target, orthographic: false } };
+            await rig.server.call('bookmark.set', { session, name, view });
+        }
+        await page.getByLabel('front').check();
+        await page.getByLabel('behind').check();
+        await page.locator('#film-format').selectOption('mp4');
+        const second = await saved('#record-film');
+        expect(second.name).toBe('sqcyl-film.mp4');
+        const replayed = await playedFilm(second.bytes, 'video/mp4');
+        expect(replayed.size).toEqual([320, 240]);
+        expect(replayed.duration).toBeCloseTo(1, 1);
+        // All of the picture moves, not the sheet alone.
+        expect(Math.min(...replayed.changes)).toBeGreaterThan(2 * Math.min(...played.changes));
+        const { position } = await ask<typeof eye>(page, (hook) => hook.camera);
+        expect(Math.hypot(...position.map((each, k) => each - eye.position[k]!))).toBeLessThan(1e-6);
+        await page.getByLabel('front').uncheck();
         // Another one, and not to its end.
         await chooseSize('film', 160, 120);
         await page.locator('#film-seconds').fill('60');

@@ -169,7 +169,10 @@ function start(app: App): void {
     });
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar, { state, worker });
-    const film = new FilmMaker({ state, view, worker, edits, playback, bodyFields, slices, figure });
+    const film = new FilmMaker({
+        ...{ state, view, worker, edits, playback, bodyFields, slices, figure },
+        controls: scene.controls,
+    });
     const mesh = new MeshDownload(server);
     scene.loop.beforeFrame(() => edits.flush());
     scene.loop.beforeFrame(() => clock.flush());

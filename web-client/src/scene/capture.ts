@@ -7,6 +7,7 @@ import type { Layer, Part, ScreenPoint, ScreenSize } from './base/view.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
 import { ScaleBar } from './domain/scaleBar.ts';
 import type { FlowScene } from './scene.ts';
+import { MarkerLayer } from './tools/markers.ts';
 
 /** shown: as on the page. clear: none. */
 export type FigureBackground = 'shown' | 'white' | 'clear';
@@ -21,6 +22,8 @@ export interface FigureSetting {
     /** The bar of a round length. */
     scale?: boolean;
     rake: boolean;
+    /** Notes, and what is probed and measured. */
+    marks?: boolean;
     /** Element over the picture whose place is at the bottom right. */
     bar: HTMLElement | null;
     /** At the top left. */
@@ -74,7 +77,8 @@ export function capture(scene: FlowScene, setting: FigureSetting, side?: number)
         layer.notForFigures === true ||
         (!setting.rake && layer === scene.rakes) ||
         (!setting.axes && layer instanceof DomainOutline) ||
-        (setting.scale !== true && layer instanceof ScaleBar);
+        (setting.scale !== true && layer instanceof ScaleBar) ||
+        (setting.marks === false && layer instanceof MarkerLayer);
     const page = scene.labels.getBoundingClientRect();
     const wanted = setting.bar === null ? null : coverOf(page, setting.bar.getBoundingClientRect());
     const cover = wanted === null ? null : barIn(layout, wanted);
@@ -133,7 +137,7 @@ const captionAt = { x: 16, y: 24 };
 function paintText(
     context: CanvasRenderingContext2D,
     scene: FlowScene,
-    { background, axes, scale, rake, bar, caption }: FigureSetting,
+    { background, axes, scale, rake, marks, bar, caption }: FigureSetting,
     { layout, cover, pixelRatio }: { layout: ScreenSize; cover: Cover | null; pixelRatio: number },
 ): void {
     const { labels } = scene;
@@ -149,6 +153,7 @@ function paintText(
         element.matches('.person') ||
         (!axes && element.matches('.tick, .axis-name')) ||
         (scale !== true && element.matches('.scale')) ||
+        (marks === false && element.matches('.marker')) ||
         (!rake && element.matches('.rake-label'));
     paintElement(context, labels, { x: -page.left, y: -page.top }, skipped);
     if (bar !== null && cover !== null) {

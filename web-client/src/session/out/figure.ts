@@ -17,6 +17,8 @@ export class Figure {
     readonly axes = signal(true);
     /** A bar of a round length. */
     readonly scale = signal(false);
+    /** Notes, and what is probed and measured. */
+    readonly marks = signal(true);
     /** Words at the top left. */
     readonly text = signal('');
     readonly rake = signal(false);
@@ -50,12 +52,12 @@ export class Figure {
     /** Error: in words, where the graphics cannot draw it. */
     draw(size: ScreenSize, caption: string | null, background = this.background.value, tileSide?: number): HTMLCanvasElement {
         const bar = this.bar.value ? this.findBar() : null;
-        const [axes, scale, rake] = [this.axes.value, this.scale.value, this.rake.value];
+        const [axes, scale, rake, marks] = [this.axes.value, this.scale.value, this.rake.value, this.marks.value];
         const words = [this.text.value.trim(), caption ?? ''].filter((each) => each !== '').join(', ');
         const shownBar = bar?.hidden === true ? null : bar;
         const drawn = capture(
             this.scene,
-            { ...size, background, axes, scale, rake, caption: words === '' ? null : words, bar: shownBar },
+            { ...size, background, axes, scale, rake, marks, caption: words === '' ? null : words, bar: shownBar },
             tileSide,
         );
         this.barLeftOut = drawn.barLeftOut;

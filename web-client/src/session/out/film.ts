@@ -12,6 +12,9 @@ import { type Figure, unfinishedSurface } from './figure.ts';
 import type { Playback } from '../time/playback.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { automaticRanges } from '../picture/surfaceStyleOf.ts';
+import { poseAlong } from '../../scene/camera/cameraPath.ts';
+import type { CameraControls, CameraPose } from '../../scene/camera/cameraControls.ts';
+import type { FilmFormat } from './filmFile.ts';
 import { canEncode, VideoEncoding } from './videoEncoding.ts';
 
 const patienceMs = 60_000;
@@ -21,12 +24,15 @@ const maxRangeSamples = 13;
 export const maxFrames = 3600;
 
 export interface FilmSetting extends ScreenSize {
+    format: FilmFormat;
     fps: number;
     seconds: number;
     /** Writes the time into the picture. */
     time: boolean;
     /** The unit of the time; empty: none. */
     unit: string;
+    /** The camera goes through these, evenly in time; none: it stays. */
+    path: readonly CameraPose[];
 }
 
 export interface FilmProgress {
@@ -47,6 +53,7 @@ export interface FilmOptions {
     edits: Pick<Edits, 'intent' | 'gestures'>;
     playback: Playback;
     bodyFields: Pick<BodyFields, 'status'>;
+    controls: Pick<CameraControls, 'place' | 'pose'>;
     slices: { waiting: ReadonlySignal<boolean> };
     figure: Figure;
 }
@@ -63,6 +70,11 @@ function spread(times: readonly number[], most: number): number[] {
     return Array.from({ length: most }, (_, i) => times[Math.round((i * (times.length - 1)) / (most - 1))]!);
 }
 
+const noEncoder: Record<FilmFormat, string> = {
+    webm: 'This browser cannot record at this size. Choose a smaller size.',
+    mp4: 'This browser cannot record H.264 at this size. Choose WebM, or a smaller size.',
+};
+
 class Cancelled extends Error {}
 
 export class FilmMaker {
@@ -76,12 +88,13 @@ export class FilmMaker {
 
     /** Null where it was cancelled or failed; why is in `progress`. */
     async record(setting: FilmSetting): Promise<Blob | null> {
-        const { playback, state, figure } = this.options;
+        const { playback, state, figure, controls } = this.options;
         if (this.busy) return null;
         if (!canEncode()) return this.fail('Recording needs a current browser over HTTPS (or on localhost).');
         const size = { width: 2 * Math.floor(setting.width / 2), height: 2 * Math.floor(setting.height / 2) };
         const times = frameTimes(playback.span.value, setting);
         const before = state.clock.value;
+        const seenFrom = controls.pose;
         const frozenAt = this.options.edits.intent.value?.from ?? 0;
         this.cancelled = false;
         this.progress.value = { state: 'recording', done: 0, frames: times.length, words: '' };
@@ -89,14 +102,15 @@ export class FilmMaker {
         let begun = false;
         const recipes = new Set<string>();
         try {
-            encoding = await VideoEncoding.begin({ ...size, fps: setting.fps });
-            if (encoding === null) return this.fail('This browser cannot record at this size. Choose a smaller size.');
+            encoding = await VideoEncoding.begin({ ...size, format: setting.format, fps: setting.fps });
+            if (encoding === null) return this.fail(noEncoder[setting.format]);
             begun = true;
             await playback.pause();
             this.options.edits.gestures.begin();
             await this.fixColours(times);
             for (const [i, time] of times.entries()) {
                 await this.show(time);
+                if (setting.path.length > 0) controls.place(poseAlong(setting.path, i / (times.length - 1)));
                 const background = figure.background.value === 'clear' ? 'white' : figure.background.value;
                 const caption = setting.time ? `t = ${withUnit(timeText(state, playback.time.value), setting.unit)}` : null;
                 const picture = figure.draw(size, caption, background);
@@ -115,6 +129,7 @@ export class FilmMaker {
             return null;
         } finally {
             this.options.view.fixedRanges.value = null;
+            if (setting.path.length > 0) controls.place(seenFrom);
             if (begun) await this.putBack(before, frozenAt).catch(() => undefined);
         }
     }
@@ -151,14 +166,15 @@ export class FilmMaker {
         const { playback, worker, state, bodyFields, slices } = this.options;
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
-        else playback.release(time, this.options.edits.gestures.current);
+        else if (playback.mode.value === 'frozen') playback.release(time, this.options.edits.gestures.current);
         // Another user may have moved the clock since.
         const retry = moving
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), resendEveryMs)
             : undefined;
         try {
             await this.until(() => {
-                const surfaces = moving ? this.surfacesAt(time) : ['final', 'empty', 'hidden'].includes(state.phase.value);
+                const isThere = state.surfaces.value.size === 0 || ['final', 'empty', 'hidden'].includes(state.phase.value);
+                const surfaces = moving ? this.surfacesAt(time) : isThere;
                 return bodyFields.status.value !== 'waiting' && !slices.waiting.value && surfaces;
             });
         } finally {
@@ -207,7 +223,8 @@ export class FilmMaker {
 
     private async putBack(clock: ClockRecord | null, frozenAt: number): Promise<void> {
         const { playback, worker } = this.options;
-        if (playback.mode.value !== 'clock') {
+        if (playback.mode.value === 'none') return;
+        if (playback.mode.value === 'frozen') {
             playback.release(frozenAt, this.options.edits.gestures.current);
             return;
         }

@@ -34,7 +34,7 @@ class Picture {
 async function begun(): Promise<VideoEncoding> {
     vi.stubGlobal('VideoEncoder', StuckEncoder);
     vi.stubGlobal('VideoFrame', Picture);
-    return (await VideoEncoding.begin({ width: 64, height: 48, fps: 25 }))!;
+    return (await VideoEncoding.begin({ format: 'webm', width: 64, height: 48, fps: 25 }))!;
 }
 
 describe('an encoder that fails', () => {

@@ -1,22 +1,32 @@
 // Pictures to a film: the browser's own encoder (WebCodecs), one picture after the other, none left out.
-import type { EncodedFrame, Film } from './webm.ts';
+import type { EncodedFrame, Film, FilmFormat } from './filmFile.ts';
 
 const keyEverySeconds = 2;
 const maxQueuedFrames = 3;
 const bitsPerPixel = 0.18;
 
-/** In the order in which they are tried; the second part of VP9's is its level, which bounds the size. */
-const codecs: readonly Pick<Film, 'codec' | 'codecString'>[] = [
-    { codec: 'vp9', codecString: 'vp09.00.41.08' },
-    { codec: 'vp9', codecString: 'vp09.00.61.08' },
-    { codec: 'vp8', codecString: 'vp8' },
-];
+/** In the order in which they are tried; VP9's and H.264's end with their level, which bounds the size. */
+const codecs: Record<FilmFormat, readonly Pick<Film, 'codec' | 'codecString'>[]> = {
+    webm: [
+        { codec: 'vp9', codecString: 'vp09.00.41.08' },
+        { codec: 'vp9', codecString: 'vp09.00.61.08' },
+        { codec: 'vp8', codecString: 'vp8' },
+    ],
+    mp4: [
+        { codec: 'avc', codecString: 'avc1.640028' },
+        { codec: 'avc', codecString: 'avc1.640034' },
+        { codec: 'avc', codecString: 'avc1.420034' },
+    ],
+};
 
 export interface VideoSetting {
+    format: FilmFormat;
     width: number;
     height: number;
     fps: number;
 }
+
+type Codec = (typeof codecs)[FilmFormat][number];
 
 /** Returns whether there is an encoder at all: browsers keep it from pages that come over http from other
  *  machines. */
@@ -27,18 +37,19 @@ export function canEncode(): boolean {
 export class VideoEncoding {
     private readonly setting: VideoSetting;
     private readonly encoder: VideoEncoder;
-    private readonly codec: (typeof codecs)[number];
+    private readonly codec: Codec;
+    private description: AllowSharedBufferSource | undefined;
     private readonly frames: EncodedFrame[] = [];
     private failure: Error | null = null;
     /** Ends the waiting of `add`; an encoder that has failed takes nothing more out of its queue. */
     private wake: () => void = () => undefined;
     private count = 0;
 
-    private constructor(setting: VideoSetting, config: VideoEncoderConfig, codec: (typeof codecs)[number]) {
+    private constructor(setting: VideoSetting, config: VideoEncoderConfig, codec: Codec) {
         this.setting = setting;
         this.codec = codec;
         this.encoder = new VideoEncoder({
-            output: (chunk) => this.encoded(chunk),
+            output: (chunk, metadata) => this.encoded(chunk, metadata),
             error: (error) => {
                 this.failure = error;
                 this.wake();
@@ -49,9 +60,9 @@ export class VideoEncoding {
 
     /** Null where no encoder takes this size. */
     static async begin(setting: VideoSetting): Promise<VideoEncoding | null> {
-        const { width, height, fps } = setting;
+        const { format, width, height, fps } = setting;
         const bitrate = Math.round(Math.max(1e6, width * height * fps * bitsPerPixel));
-        for (const codec of codecs) {
+        for (const codec of codecs[format]) {
             const config: VideoEncoderConfig = { codec: codec.codecString, width, height, bitrate, framerate: fps };
             const { supported } = await VideoEncoder.isConfigSupported(config).catch(() => ({ supported: false }));
             if (supported === true) return new VideoEncoding(setting, config, codec);
@@ -88,8 +99,9 @@ export class VideoEncoding {
         });
         this.demandRunning();
         this.encoder.close();
-        const { width, height } = this.setting;
-        return (await import('./webm.ts')).webmFile({ ...this.codec, width, height, frames: this.frames, recipes });
+        const { fps: _, ...setting } = this.setting;
+        const { codec, description, frames } = this;
+        return (await import('./filmFile.ts')).filmFile({ ...setting, ...codec, description, frames, recipes });
     }
 
     abandon(): void {
@@ -104,7 +116,8 @@ export class VideoEncoding {
         if (!this.running) throw this.failure ?? new Error('The video encoder of this browser has stopped. Record again.');
     }
 
-    private encoded(chunk: EncodedVideoChunk): void {
+    private encoded(chunk: EncodedVideoChunk, metadata?: EncodedVideoChunkMetadata): void {
+        this.description ??= metadata?.decoderConfig?.description;
         const data = new Uint8Array(chunk.byteLength);
         chunk.copyTo(data);
         const [time, duration] = [chunk.timestamp / 1e6, (chunk.duration ?? 0) / 1e6];

@@ -7,12 +7,16 @@ import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
 import { coarseCaption, pictureIsCoarse, timeInName } from '../../session/out/exportNames.ts';
 import type { Figure } from '../../session/out/figure.ts';
 import { type FilmMaker, type FilmProgress, maxFrames, frameTimes } from '../../session/out/film.ts';
+import type { FilmFormat } from '../../session/out/filmFile.ts';
 import { pngWith } from '../../session/out/recipes.ts';
 import { canEncode } from '../../session/out/videoEncoding.ts';
 import { timeText, timeWords } from '../../session/picture/writtenNumbers.ts';
 import type { Playback } from '../../session/time/playback.ts';
 import { shownTime } from '../../session/time/timeSteps.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { CameraPose } from '../../scene/camera/cameraControls.ts';
+import { isolated } from '../../state/announcements.ts';
+import { readPageView } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import '../base/locked.ts';
 import type { OwnCopyButton } from '../base/locked.ts';
@@ -51,8 +55,8 @@ export class PictureExport extends ModelElement<PictureExportModel> {
             ${selectRow('background', 'Background', backgrounds, figure.background.value, (chosen) => (figure.background.value = chosen))}
             <div class="checks">
                 ${this.check('Scalar bar', figure.bar)} ${this.check('Box and axes', figure.axes)}
-                ${this.check('Length scale', figure.scale)}
-                ${this.check('Rake', figure.rake)}
+                ${this.check('Length scale', figure.scale)} ${this.check('Rake', figure.rake)}
+                ${this.check('Notes and marks', figure.marks)}
                 ${pictureIsCoarse(state) ? this.check('Say that it is coarse', figure.coarse) : nothing}
             </div>
             <div class="row">
@@ -112,9 +116,16 @@ const filmSize = new SizeChoice('film', [
 const fps = signal(25);
 const seconds = signal(10);
 const time = signal(true);
+const formats: readonly Choice<FilmFormat>[] = [
+    { value: 'webm', words: 'WebM' },
+    { value: 'mp4', words: 'MP4 (H.264)' },
+];
+const format = signal<FilmFormat>('webm');
+/** Saved views that the camera goes through, in the order in which they were chosen. */
+const path = signal<readonly string[]>([]);
 
 export interface FilmExportModel {
-    state: Pick<AppState, 'dataset' | 'participants' | 'role' | 'surfaces'>;
+    state: Pick<AppState, 'bookmarks' | 'dataset' | 'participants' | 'role' | 'surfaces'>;
     view: Pick<ViewState, 'units'>;
     playback: Pick<Playback, 'mode' | 'span'>;
     figure: Pick<Figure, 'shownSize'>;
@@ -143,6 +154,7 @@ export class FilmExport extends ModelElement<FilmExportModel> {
         const [from, to] = playback.span.value;
         const frames = frameTimes([from, to], { fps: fps.value, seconds: seconds.value }).length;
         const words = this.fault.value === '' ? progress.words : this.fault.value;
+        const still = playback.mode.value === 'none' && this.poses().length < 2;
         const others = state.participants.value.size > 1 && playback.mode.value === 'clock';
         return html`
             ${filmSize.render(figure.shownSize)}
@@ -152,9 +164,11 @@ export class FilmExport extends ModelElement<FilmExportModel> {
                 change: (typed) => void (seconds.value = typed),
             })}
             ${checkRow('Time in the picture', time.value, (on) => (time.value = on))}
+            ${selectRow('film-format', 'Format', formats, format.value, (chosen) => (format.value = chosen))} ${this.cameraPath()}
             <div class="row">
-                <button type="button" id="record-film" @click=${this.record}>Record WebM</button>
+                <button type="button" id="record-film" ?disabled=${still} @click=${this.record}>Record</button>
             </div>
+            ${still ? html`<p class="hint">The data have only one time-step: choose two saved views for the camera to go between.</p>` : nothing}
             ${words === '' ? nothing : html`<p class="hint" role="alert">${words}</p>`}
             <p class="hint">
                 From t = ${timeText(state, from)} to ${timeText(state, to)} in ${frames} frames, each drawn when its
@@ -173,11 +187,34 @@ export class FilmExport extends ModelElement<FilmExportModel> {
     }
 
     private whyNot(): string | null {
-        const { playback } = this.model;
-        if (!canEncode()) {
-            return 'Recording needs a current browser over HTTPS (or on localhost).';
+        return canEncode() ? null : 'Recording needs a current browser over HTTPS (or on localhost).';
+    }
+
+    /** Those that have one, of the views that were chosen and are still there. */
+    private poses(): CameraPose[] {
+        const { bookmarks } = this.model.state;
+        return path.value.flatMap((id) => readPageView(bookmarks.value.get(id)?.view).camera ?? []);
+    }
+
+    private cameraPath(): TemplateResult {
+        const views = [...this.model.state.bookmarks.value.values()].filter(
+            ({ view }) => readPageView(view).camera !== undefined,
+        );
+        if (views.length < 2) {
+            return html`<p class="hint">The camera stays where it is. Keep two views or more (View, Saved views), and it can go through them.</p>`;
         }
-        return playback.mode.value === 'none' ? 'The data have only one time-step: there is nothing to play.' : null;
+        return html`<fieldset>
+            <legend>Camera through saved views</legend>
+            ${views.map(({ bookmark, name }) => {
+                const place = path.value.indexOf(bookmark);
+                const words = place < 0 ? isolated(name) : `${isolated(name)}, ${place + 1}`;
+                const change = (on: boolean): void => {
+                    path.value = on ? [...path.value, bookmark] : path.value.filter((each) => each !== bookmark);
+                };
+                return checkRow(words, place >= 0, change);
+            })}
+            <p class="hint">${this.poses().length < 2 ? 'None or one: the camera stays where it is.' : 'In this order, evenly over the film.'}</p>
+        </fieldset>`;
     }
 
     private async record(): Promise<void> {
@@ -191,8 +228,10 @@ export class FilmExport extends ModelElement<FilmExportModel> {
             seconds: seconds.value,
             time: time.value,
             unit: view.units.value.time,
+            format: format.value,
+            path: this.poses().length < 2 ? [] : this.poses(),
         });
-        if (file !== null) saveFile(file, fileName(state.dataset.value?.name, 'film.webm'));
+        if (file !== null) saveFile(file, fileName(state.dataset.value?.name, `film.${format.value}`));
     }
 }
 
