@@ -94,8 +94,15 @@ export function showsRake({ hiddenRakes, alone }: Visibility, rake: string, chos
     return alone && chosen !== null ? rake === chosen : !hiddenRakes.has(rake);
 }
 
-export function showsSurface(visibility: Visibility, surface: { surface: string; rake: string }, chosen: string | null): boolean {
-    return showsRake(visibility, surface.rake, chosen) && !visibility.hiddenSurfaces.has(surface.surface);
+export function showsSurface(
+    visibility: Visibility,
+    surface: { surface: string; rake?: string },
+    chosen: string | null,
+): boolean {
+    return (
+        (surface.rake === undefined || showsRake(visibility, surface.rake, chosen)) &&
+        !visibility.hiddenSurfaces.has(surface.surface)
+    );
 }
 
 /** The set with the id where it was not, and without it where it was. */

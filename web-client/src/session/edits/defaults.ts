@@ -132,3 +132,10 @@ export function firstLevel(dataset: DatasetDescription): Level {
     );
     return levelOf(dataset, scalar?.name ?? dataset.velocity);
 }
+
+/** Returns a level of the first field that is not used; where all are, of the first. */
+export function freeLevel(dataset: DatasetDescription, used: ReadonlySet<string | undefined>): Level {
+    const first = firstLevel(dataset);
+    const free = [first.field, ...levelFields(dataset)].find((name) => !used.has(name) && describedRange(dataset, name) !== null);
+    return free === undefined || free === first.field ? first : levelOf(dataset, free);
+}

@@ -9,6 +9,7 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { BodyFields } from '../../session/picture/bodyFields.ts';
+import { ownerName } from '../../session/picture/surfaceOwner.ts';
 import type { Slices } from '../../session/picture/slicesInPicture.ts';
 import { intervalError } from '../../session/picture/surfaceStyleOf.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
@@ -152,7 +153,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             if (style.source === 'constant') continue;
             const title = titleOf(style);
             const key = JSON.stringify([title, colours, map, inverted, logarithmic, root, bandCount, style.rangeOf]);
-            const of = state.rakes.value.get(record.rake)?.name || record.rake;
+            const of = ownerName(state, record);
             const held = bars.get(key);
             const rangeOf = style.source === 'scalar' || style.rangeOf === 'film' ? style.rangeOf : null;
             if (held === undefined) {

@@ -9,7 +9,7 @@ import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { fieldWords } from '../surface/levelPanel.ts';
+import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 
 /** Loaded with the panel, after the first picture. */
 export { Slices };
