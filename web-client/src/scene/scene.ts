@@ -241,6 +241,12 @@ export class FlowScene {
         this.loop.request();
     }
 
+    /** @param opacity 0: it is not seen at all */
+    setBodyOpacity(opacity: number): void {
+        this.body.setOpacity(opacity);
+        this.loop.request();
+    }
+
     /** See DrawnBody. */
     setBodyValues(values: BodyValues | null, textured: boolean): void {
         this.body.setValues(values, textured);
@@ -284,11 +290,11 @@ export class FlowScene {
 
     /** Returns what of surfaces and body is seen at a canvas position. */
     pick(at: ScreenPoint): PickHit | null {
-        return this.picker.at(this.view(), this.body.geometry, at);
+        return this.picker.at(this.view(), this.body.seen, at);
     }
 
     pickGrid(at: ScreenPoint, radiusPx: number, options: PickOptions): PickGrid {
-        return this.picker.grid(this.view(), this.body.geometry, at, radiusPx, options);
+        return this.picker.grid(this.view(), this.body.seen, at, radiusPx, options);
     }
 
     /** Draws at once, at full resolution, and returns the picture's pixels, RGBA from the bottom left. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { datasetOf, fieldOf } from '../../testing/records.ts';
-import { besideRake, defaultSweep, describedRange, firstLevel, freeRake, levelFields, levelOf } from './defaults.ts';
+import { besideRake, defaultSweep, describedRange, firstLevel, freeLevel, freeRake, levelFields, levelOf } from './defaults.ts';
 
 describe('defaultSweep', () => {
     const bounds: [number, number, number, number, number, number] = [-8, 8, -4, 4, 0, 6];
@@ -125,6 +125,9 @@ describe('fields of level surfaces', () => {
         expect(firstLevel(dataset)).toEqual({ field: 'p', level: 1 });
         expect(levelOf(dataset, 'q_criterion')).toEqual({ field: 'q_criterion', level: 0 });
         expect(firstLevel({ ...dataset, surfaceFields: ['mask', 'U'] })).toEqual({ field: 'U', level: 1 });
+        expect(freeLevel(dataset, new Set())).toEqual({ field: 'p', level: 1 });
+        expect(freeLevel(dataset, new Set(['p']))).toEqual({ field: 'U', level: 1 });
+        expect(freeLevel(dataset, new Set(levelFields(dataset)))).toEqual({ field: 'p', level: 2.5 });
     });
 
     it('have no range where all values are the same, or none is known', () => {

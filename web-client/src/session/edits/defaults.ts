@@ -133,9 +133,13 @@ export function firstLevel(dataset: DatasetDescription): Level {
     return levelOf(dataset, scalar?.name ?? dataset.velocity);
 }
 
-/** Returns a level of the first field that is not used; where all are, of the first. */
+/** Returns a level of the first field that is not used; where all are, another one of the first, so that both are seen. */
 export function freeLevel(dataset: DatasetDescription, used: ReadonlySet<string | undefined>): Level {
     const first = firstLevel(dataset);
-    const free = [first.field, ...levelFields(dataset)].find((name) => !used.has(name) && describedRange(dataset, name) !== null);
-    return free === undefined || free === first.field ? first : levelOf(dataset, free);
+    const free = [first.field, ...levelFields(dataset)].find(
+        (name) => !used.has(name) && name !== 'mask' && describedRange(dataset, name) !== null,
+    );
+    if (free !== undefined) return levelOf(dataset, free);
+    const high = describedRange(dataset, first.field)?.[1] ?? first.level;
+    return used.has(first.field) ? { ...first, level: Number(((first.level + high) / 2).toPrecision(4)) } : first;
 }

@@ -11,7 +11,7 @@ const record: SliceRecord = { slice: 'c1', rev: 1, dataset: 'flow', origin: [0, 
 function slicesOf(page: PageBench) {
     const asked: string[] = [];
     const slices = new Slices({
-        ...{ state: page.state, worker: page.worker, edits: page.edits, time: () => 9 },
+        ...{ state: page.state, view: page.view, worker: page.worker, edits: page.edits, time: () => 9 },
         scene: { add: () => undefined, size: { width: 800, height: 600 }, loop: { request: () => undefined } },
         server: {
             fetch: (path) => {

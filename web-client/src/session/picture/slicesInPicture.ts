@@ -7,6 +7,8 @@ import { coloursOf } from './usualColours.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import { SliceLayer, type SliceColours } from '../../scene/slices/sliceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
+import { opacityOf, shows } from '../../state/pageView.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { announceUnlessDisconnected } from '../base/calls.ts';
@@ -16,6 +18,7 @@ import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
     state: AppState;
+    view: Pick<ViewState, 'visibility'>;
     scene: Pick<FlowScene, 'add' | 'size'> & { loop: Pick<FlowScene['loop'], 'request'> };
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
@@ -77,7 +80,11 @@ export class Slices {
             if (state.stage.value === 'running') untracked(() => this.values.again());
         });
         effect(() => {
-            void this.contours.value;
+            const visibility = options.view.visibility.value;
+            for (const id of this.places.value.keys()) if (!shows(visibility, id)) untracked(() => this.forget(id));
+        });
+        effect(() => {
+            void [this.contours.value, options.view.visibility.value];
             untracked(() => this.rasters.forEach((raster, id) => this.draw(id, raster)));
         });
     }
@@ -165,14 +172,15 @@ export class Slices {
     }
 
     private wishAll(): void {
-        const { state } = this.options;
+        const { state, view } = this.options;
         const description = state.dataset.value;
         if (description === null || state.stage.value !== 'running') return;
         const { dataset } = description;
         const time = dataTime(description, this.options.time());
+        const visibility = view.visibility.value;
         for (const [id, { origin, normal, field }] of this.places.value) {
             // The edit is about to be refused, in words.
-            if (!meets(description.bounds, origin, normal)) continue;
+            if (!shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
             this.values.want(id, { dataset, origin, normal, field, time });
         }
     }
@@ -215,7 +223,7 @@ export class Slices {
         const meanings = new Map(this.meanings.peek());
         const span = this.spans.get(field);
         if (span === undefined) meanings.delete(id);
-        else meanings.set(id, { field, ...coloursOf(...span), contours: this.contours.peek() });
+        else meanings.set(id, { field, ...coloursOf(...span), contours: this.contours.peek(), opacity: 1 });
         if (JSON.stringify([...meanings]) !== JSON.stringify([...this.meanings.peek()])) this.meanings.value = meanings;
         // A field that is shown again begins with what is seen then.
         const shown = new Set([...meanings.values()].map((each) => each.field));
@@ -225,7 +233,8 @@ export class Slices {
     private draw(id: string, known: SliceRaster | null, raster = known!): void {
         const meaning = this.meanings.peek().get(id);
         const contours = this.contours.peek();
-        this.layer.set(id, raster, known === null || meaning === undefined ? null : { ...meaning, contours });
+        const opacity = opacityOf(this.options.view.visibility.peek(), id);
+        this.layer.set(id, raster, known === null || meaning === undefined ? null : { ...meaning, contours, opacity });
         this.options.scene.loop.request();
     }
 

@@ -7,6 +7,7 @@ import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/number
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
+import { bodyId, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { BodyFields } from '../../session/picture/bodyFields.ts';
 import { ownerName } from '../../session/picture/surfaceOwner.ts';
@@ -183,7 +184,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
 
     private bodyBar(): Bar[] {
         const span = this.model.bodyFields.span.value;
-        if (span === null) return [];
+        if (span === null || !shows(this.model.view.visibility.value, bodyId)) return [];
         const { invert: inverted, range } = this.model.view.body.value;
         const { field, map, colours, beyond } = span;
         const title = this.titleOf(field);

@@ -1,6 +1,7 @@
 // Slices and their panel come after the first picture: few pages need them before that.
 import { computed, type ReadonlySignal, signal } from '@preact/signals-core';
 import type { SlicesOptions } from '../../session/picture/slicesInPicture.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import type { SlicesModel } from './slicesPanel.ts';
 
 export interface LoadedSlices {
@@ -10,11 +11,11 @@ export interface LoadedSlices {
     waiting: ReadonlySignal<boolean>;
 }
 
-export function loadSlices(options: SlicesOptions): LoadedSlices {
-    const { state } = options;
+export function loadSlices(options: SlicesOptions & { view: Pick<ViewState, 'chosenThing'> }): LoadedSlices {
+    const { state, view } = options;
     const model = signal<SlicesModel | null>(null);
     void import('./slicesPanel.ts').then(({ Slices }) => {
-        model.value = { state, slices: new Slices(options) };
+        model.value = { state, view, slices: new Slices(options) };
     });
     const waiting = computed(() => state.slices.value.size > 0 && (model.value?.slices.waiting.value ?? true));
     return { model, waiting };

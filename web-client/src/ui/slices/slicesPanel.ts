@@ -1,12 +1,11 @@
-// Planes through the data: which there are, where they lie and what they show.
+// Planes through the data: how one is added, and where the chosen one lies and what it shows.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import { signal } from '@preact/signals-core';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
+import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import { levelFields } from '../../session/edits/defaults.ts';
 import { type SlicePlace, Slices } from '../../session/picture/slicesInPicture.ts';
-import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 import { selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { fieldWords } from '../../session/picture/surfaceOwner.ts';
@@ -16,6 +15,7 @@ export { Slices };
 
 export interface SlicesModel {
     state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'slices'>;
+    view: Pick<ViewState, 'chosenThing'>;
     slices: Slices;
 }
 
@@ -31,29 +31,12 @@ const steps = 1000;
 const inset = 5e-4;
 
 export class SlicesPanel extends ModelElement<SlicesModel> {
-    private readonly chosen = signal('');
-
     static override styles = css`
         .add {
             display: grid;
             grid-template-columns: auto repeat(3, 1fr) auto;
             gap: 6px;
             align-items: center;
-        }
-        ul {
-            margin: 6px 0;
-        }
-        li {
-            display: grid;
-            grid-template-columns: minmax(0, 1fr) auto;
-            gap: 6px;
-            margin-top: 4px;
-        }
-        .go {
-            text-align: left;
-        }
-        .go[aria-pressed='true'] {
-            border-color: var(--accent);
         }
         .triple {
             display: grid;
@@ -65,18 +48,15 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
     `;
 
     override render(): TemplateResult {
-        const { state, slices } = this.model;
+        const { state, view, slices } = this.model;
         const { dataset } = state;
         if (dataset.value === null) return html``;
-        const places = [...slices.places.value];
         const locked = state.locked.value;
-        const [id, place] = places.find(([each]) => each === this.chosen.value) ?? places[0] ?? ['', null];
+        const id = view.chosenThing.value ?? '';
+        const place = slices.places.value.get(id) ?? null;
         const bounds = dataset.value.bounds as unknown as Bounds;
         return html`
             ${locked ? nothing : this.adding(bounds)}
-            <ul aria-label="Slices">
-                ${places.map(([each, { field, normal, origin }]) => this.row(each, each === id, `${field}, ${planeWords(origin, normal)}`, locked))}
-            </ul>
             ${place === null ? nothing : this.settings(id, place, bounds, locked)}
         `;
     }
@@ -99,21 +79,6 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                 rake
             </button>
         </div>`;
-    }
-
-    private row(id: string, chosen: boolean, words: string, locked: boolean): TemplateResult {
-        return html`<li>
-            <button type="button" class="go cut" aria-pressed=${chosen} title=${words} @click=${() => (this.chosen.value = id)}>
-                ${isolated(words)}
-            </button>
-            ${
-                locked
-                    ? nothing
-                    : html`<button type="button" aria-label=${`Delete the slice ${words}`} @click=${() => void this.model.slices.remove(id)}>
-                      ✕
-                  </button>`
-            }
-        </li>`;
     }
 
     private settings(id: string, place: SlicePlace, bounds: Bounds, locked: boolean): TemplateResult {
@@ -175,10 +140,10 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
     }
 
     private async add(origin: Vec3, normal: Vec3): Promise<void> {
-        const { slices } = this.model;
-        const shown = slices.places.value.get(this.chosen.value) ?? [...slices.places.value.values()][0];
+        const { view, slices } = this.model;
+        const shown = slices.places.value.get(view.chosenThing.value ?? '') ?? [...slices.places.value.values()][0];
         const made = await slices.add(origin, normal, shown?.field);
-        if (made !== null) this.chosen.value = made;
+        if (made !== null) view.chosenThing.value = made;
     }
 
     private addAcross(rake: readonly Vec3[]): Promise<void> {
@@ -213,15 +178,6 @@ function spanOf(bounds: Bounds, unit: Vec3): [number, number] {
         ends.reduce((sum, pair) => sum + end(...(pair as [number, number])), 0),
     ) as [number, number];
     return [low + inset * (high - low), high - inset * (high - low)];
-}
-
-/** As short as it can be said: `x = 0.5`, or the direction. */
-function planeWords(origin: Vec3, normal: Vec3): string {
-    const along = axes.findIndex((_, k) => normal.every((each, i) => (i === k) === (each !== 0)));
-    if (along >= 0) return `${axes[along]![0]} = ${shortNumber(origin[along]!)}`;
-    return `across (${unitOf(normal)
-        .map((each) => shortNumber(Number(each.toPrecision(2))))
-        .join(', ')})`;
 }
 
 customElements.define('wakesurf-slices', SlicesPanel);

@@ -107,9 +107,9 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         .kind {
             display: flex;
             align-items: center;
-            gap: 6px;
+            gap: 5px;
             min-height: 28px;
-            padding-left: 8px;
+            padding-left: 4px;
             border-radius: 6px;
             cursor: pointer;
         }
@@ -275,8 +275,8 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         const active = state.activeSurface.value;
         const own = surfacesOf(state, rake).map((id) => state.surfaces.value.get(id)!);
         const locked = state.locked.value;
-        const { hiddenSurfaces } = view.visibility.value;
-        const isHidden = hiddenSurfaces.has(active ?? '');
+        const { hidden } = view.visibility.value;
+        const isHidden = hidden.has(active ?? '');
         const choose = (event: Event): void => edits.chooseSurface((event.target as HTMLSelectElement).value);
         return html`<div class="several" role="group" aria-label="Surfaces of this rake">
             ${
@@ -299,7 +299,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                           id="hide-surface"
                           aria-pressed=${isHidden ? 'true' : 'false'}
                           title="Hide this surface on this page; the rake stays"
-                          @click=${() => view.changeVisibility({ hiddenSurfaces: toggled(hiddenSurfaces, active) })}
+                          @click=${() => view.changeVisibility({ hidden: toggled(hidden, active) })}
                       >
                           Hide
                       </button>`
