@@ -16,7 +16,9 @@ function loadedAtStart(): string[] {
     const found: string[] = [];
     const follow = (source: string): void => {
         const now = source.replace(/import\([`'"]\.\/[^)]*\)|m\.f=\[[^\]]*\]/g, '');
-        for (const name of assets.filter((each) => now.includes(each) && !found.includes(each))) {
+        for (const name of assets.filter((each) => now.includes(each))) {
+            // What it names itself may name the next one too.
+            if (found.includes(name)) continue;
             found.push(name);
             if (name.endsWith('.js')) follow(text(`assets/${name}`));
         }

@@ -241,12 +241,6 @@ export class FlowScene {
         this.loop.request();
     }
 
-    /** @param opacity 0: it is not seen at all */
-    setBodyOpacity(opacity: number): void {
-        this.body.setOpacity(opacity);
-        this.loop.request();
-    }
-
     /** See DrawnBody. */
     setBodyValues(values: BodyValues | null, textured: boolean): void {
         this.body.setValues(values, textured);

@@ -63,7 +63,7 @@ uint codeAt(ivec2 place) {
 }
 
 void main() {
-    if (!isThere(opacity)) discard;
+    if (!isThere(opacity, ivec2(1, 2))) discard;
     vec2 place = at * size;
     // Bodies and the domain end where the nearest sample says.
     if (codeAt(ivec2(place)) == ${noSliceValue}u) discard;

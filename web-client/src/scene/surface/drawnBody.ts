@@ -287,7 +287,7 @@ function giveValues(material: MeshLambertMaterial, shared: SharedUniforms, time:
             .replace('void main() {', `${fragmentGlsl}\nvoid main() {`)
             .replace(
                 painted,
-                `    if (!isThere(opacityOfBody)) discard;\n${painted}\n#ifdef COLOURED\n    diffuseColor.rgb = fieldColour(diffuseColor.rgb);\n#endif`,
+                `    if (!isThere(opacityOfBody, ivec2(0))) discard;\n${painted}\n#ifdef COLOURED\n    diffuseColor.rgb = fieldColour(diffuseColor.rgb);\n#endif`,
             )
             .replace(
                 lit[0],

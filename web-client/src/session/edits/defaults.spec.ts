@@ -105,7 +105,7 @@ describe('a further rake', () => {
     });
 });
 
-const surfaceFields = ['p', 'mask', 'error', 'U', 'deformation', 'approximated', 'q_criterion', 'velocity_x'];
+const surfaceFields = ['p', 'mask', 'error', 'U', 'deformation', 'approximated', 'q_criterion', 'velocity_x', 'normal_x'];
 const dataset = datasetOf({
     fields: [
         fieldOf('U', { components: 3, range: [0.5, 1.5] }),
@@ -121,9 +121,10 @@ describe('fields of level surfaces', () => {
         expect(levelFields(dataset)).toEqual(['p', 'mask', 'error', 'U', 'q_criterion', 'velocity_x']);
     });
 
-    it('begin in the middle of their range, or at 0 where it is not known', () => {
+    it('begin in the middle of their range, or where that is not known at what shows the cores of vortices, or at 0', () => {
         expect(firstLevel(dataset)).toEqual({ field: 'p', level: 1 });
-        expect(levelOf(dataset, 'q_criterion')).toEqual({ field: 'q_criterion', level: 0 });
+        expect(levelOf(dataset, 'q_criterion')).toEqual({ field: 'q_criterion', level: 75 });
+        expect(levelOf(dataset, 'velocity_x')).toEqual({ field: 'velocity_x', level: 0 });
         expect(firstLevel({ ...dataset, surfaceFields: ['mask', 'U'] })).toEqual({ field: 'U', level: 1 });
         expect(freeLevel(dataset, new Set())).toEqual({ field: 'p', level: 1 });
         expect(freeLevel(dataset, new Set(['p']))).toEqual({ field: 'U', level: 1 });

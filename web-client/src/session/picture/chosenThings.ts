@@ -9,7 +9,7 @@ import { newSlice, type ViewState } from '../../state/viewState.ts';
 export interface ChosenThingsOptions {
     state: Pick<AppState, 'activeRake' | 'activeSurface' | 'dataset' | 'rakes' | 'slices' | 'surfaces'>;
     view: Pick<ViewState, 'changeVisibility' | 'chosenThing' | 'visibility'>;
-    scene: Pick<FlowScene, 'setBodyOpacity'>;
+    scene: { body: Pick<FlowScene['body'], 'setOpacity'>; loop: Pick<FlowScene['loop'], 'request'> };
 }
 
 /** For as long as the page lives. */
@@ -20,7 +20,8 @@ export function connectChosenThings({ state, view, scene }: ChosenThingsOptions)
     });
     effect(() => {
         const visibility = view.visibility.value;
-        scene.setBodyOpacity(shows(visibility, bodyId) ? opacityOf(visibility, bodyId) : 0);
+        scene.body.setOpacity(shows(visibility, bodyId) ? opacityOf(visibility, bodyId) : 0);
+        scene.loop.request();
     });
     // Only what was there can be gone: a link is read before the records are here.
     const seen = new Set<string>();

@@ -99,7 +99,7 @@ export class PictureList extends ModelElement<PictureListModel> {
             cursor: pointer;
         }
         .see {
-            grid-template-columns: auto minmax(0, 1fr) 3em;
+            grid-template-columns: auto minmax(0, 1fr) 4em;
             align-items: center;
         }
         .see input {

@@ -168,7 +168,7 @@ function surfaceWords({ view }: PictureListModel, surfaces: readonly SurfaceReco
 
 function colourWords(view: ViewState, surface: string): string {
     const { colourBy } = view.lookOf(surface);
-    return colourBy === 'constant' ? 'one colour' : byWords(colourBy);
+    return colourBy === 'constant' ? 'plain' : byWords(colourBy);
 }
 
 function byWords(colourBy: string): string {

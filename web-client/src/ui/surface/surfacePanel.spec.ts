@@ -123,7 +123,7 @@ describe('an isosurface', () => {
         const fields = [...panel.get<HTMLSelectElement>('#level-field').options].map(({ value }) => value);
         expect(fields).toEqual(['U', 'q_criterion']);
         await panel.enter('#level-field', 'Field', 'q_criterion');
-        expect(surface()).toMatchObject({ field: 'q_criterion', level: 0 });
+        expect(surface()).toMatchObject({ field: 'q_criterion', level: 0.91 });
         // What the data have of it is known once the server has looked.
         expect(panel.all('#level-range')).toEqual([]);
         const stats = sampleStatistics({ surface: 'surface-2', fieldRange: [-3, 4] });
