@@ -52,7 +52,7 @@ def draw(job: Json, dataset: str, output: str, options: Sequence[str]) -> None:
         if "rake" in job:
             setting["rake"] = session.api.rake.set(**job["rake"])["rake"]
             setting.setdefault("to", last_time(session, {"dataset": session.dataset, **setting}))
-        else:
+        elif setting["kind"] != "level":
             found = session.client.suggest(session.dataset)
             setting["rake"] = session.api.rake.set(**{**found["rake"], "seeds": job["seeds"]})["rake"]
             ends = " ".join(",".join(f"{each:g}" for each in point) for point in found["rake"]["points"])

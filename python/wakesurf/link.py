@@ -31,7 +31,9 @@ class Link:
     def __init__(self, url: str = "", session: str = "", surface: str = "", dataset: str = "", kind: Kind = "streak") -> None:
         self.session = Client(url or None).session(session or None)
         self.surface = Surface(self.session, surface) if surface else self.session.suggested(kind, dataset or None)
-        rake = self.surface.record()["rake"]  # Error: NotFound
+        rake = self.surface.record().get("rake")  # Error: NotFound
+        if rake is None:
+            raise InvalidParameters(f"surface {self.surface.id} has no rake to move", -32602, "invalidParameters", "link one that particles form")
         self.rake = next(each for each in self.session.rakes() if each.id == rake)
         self._sent: Dict[str, Any] = {}
         self._seen: Optional[Tuple[Any, ...]] = None
@@ -86,7 +88,7 @@ class Link:
 
     def _observe(self) -> Json:
         record = self.surface.record()
-        self._seen = (record["rev"], record["rake"], self.rake.record()["rev"])
+        self._seen = (record["rev"], record.get("rake"), self.rake.record()["rev"])
         return record
 
 

@@ -166,6 +166,13 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
         rake = self.api.rake.set(**found["rake"])["rake"]
         return self._made({"rake": rake, "dataset": dataset, **setting})
 
+    def isosurface(self, field: str, level: float, dataset: Optional[str] = None, **more: Any) -> Surface:
+        """Makes a surface where `field` has the value `level`, at the time that is shown; no rake is needed. `more`: as
+        `surface` takes it, such as `fields`. Data only, not flows that are formulas. Error: Unsupported, NotFound."""
+        from .surface import begin
+        given = {"from" if name == "from_" else name: value for name, value in more.items()}
+        return begin(self, dataset or self.dataset, {"kind": "level", "field": field, "level": level, **given})
+
     def surfaces(self) -> List[Surface]:
         """Returns all surfaces."""
         return [Surface(self, each["surface"]) for each in self.api.surface.list()["surfaces"]]

@@ -303,7 +303,8 @@ class _Waiting:
 def begin(session: Session, dataset: str, setting: Json) -> Surface:
     """Makes a surface of which only the kind must be given: the server suggests the other parameters for the data. `setting`: parameters
     of surface.set by their names in Python, but `from`. Error: as Session.surface."""
-    found: Mapping[str, Any] = session.client.suggest(dataset) if not {"rake", "to", "separation"} <= setting.keys() else {"surfaces": []}
+    complete = setting["kind"] == "level" or {"rake", "to", "separation"} <= setting.keys()
+    found: Mapping[str, Any] = {"surfaces": []} if complete else session.client.suggest(dataset)
     usual: Dict[str, Any] = dict(next((each for each in found["surfaces"] if each["kind"] == setting["kind"]), {}))
     if setting.keys() & {"from", "to", "direction"}:
         usual = {name: value for name, value in usual.items() if name not in ("from", "to")}
@@ -313,14 +314,13 @@ def begin(session: Session, dataset: str, setting: Json) -> Surface:
     if "to" not in merged:
         merged["to"] = last_time(session, merged)
     merged.pop("rake", None)
-    rakes = session.rakes() if setting["kind"] == "level" else []  # it only hangs on one
-    made = "rake" not in setting and not rakes
-    rake = setting["rake"] if "rake" in setting else rakes[0].id if rakes else session.api.rake.set(**found["rake"])["rake"]
+    made = session.api.rake.set(**found["rake"])["rake"] if "rake" not in setting and setting["kind"] != "level" else None
+    rake = setting.get("rake", made)
     try:
         return session.surface(rake, **{"from_" if name == "from" else name: value for name, value in merged.items()})
     except WakesurfError:
-        if made:
-            session.api.rake.delete(rake=rake)  # nobody asked for it alone
+        if made is not None:
+            session.api.rake.delete(rake=made)  # nobody asked for it alone
         raise
 
 

@@ -365,7 +365,8 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
     const RecordKey key{RecordType::Surface, asked.surface.value_or("")};
     if (asked.surface && records_.rev(key) == 0)
         return no_record(key);
-    for (const auto& rake : {std::optional(asked.rake), asked.rake2})
+    const auto own_rake = rake_kept(asked.parameters, asked.rake);
+    for (const auto& rake : {own_rake, asked.rake2})
         if (rake && records_.find<protocol::RakeRecord>(*rake) == nullptr)
             return no_record({RecordType::Rake, *rake});
     if (auto may = may_put(key, !asked.surface); !may)
@@ -385,7 +386,7 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
     protocol::SurfaceRecord record{{},
                                    0,
                                    0,
-                                   asked.rake,
+                                   own_rake,
                                    asked.rake2,
                                    asked.dataset,
                                    asked.parameters,

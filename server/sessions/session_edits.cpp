@@ -87,7 +87,7 @@ std::string Session::obstacle(const Edit& edit, const EditStep& step, HistoryMov
     if (!to)
         return {};
     if (const auto* surface = std::get_if<protocol::SurfaceRecord>(to.get()))
-        for (const auto& rake : {std::optional(surface->rake), surface->rake2})
+        for (const auto& rake : {surface->rake, surface->rake2})
             if (rake && records_.find<protocol::RakeRecord>(*rake) == nullptr &&
                 !sets(edit, move, {RecordType::Rake, *rake}, true))
                 return "rake " + *rake + " of " + label + " has been deleted since";
@@ -211,9 +211,7 @@ Session::build(const std::vector<RecordChange>& changes, bool rest, std::optiona
             set.insert(each.key.id);
         if (each.after && each.key.type == RecordType::Rake && !looks_only(each))
             for (std::string& id : records_.hanging_on(each.key.id))
-                if (records_.find<protocol::SurfaceRecord>(id)->parameters.kind !=
-                    core::SurfaceKind::Level) // which takes no more of it than its place in lists
-                    hanging.insert(std::move(id));
+                hanging.insert(std::move(id));
     }
     Epochs epochs;
     for (const auto& [id, record] : records_.all<protocol::SurfaceRecord>())

@@ -51,7 +51,8 @@ core::Result<SurfaceJob> SurfaceBuilds::job_for(const protocol::SurfaceRecord& r
     auto fields = fields_there(*open, record.fields);
     p.deformation = asks_for(fields, SurfaceField::Source::Deformation);
     p.tangents = asks_for(fields, SurfaceField::Source::NormalComponent);
-    auto plan = core::plan_surface(open->flow, rakes.at(record.rake).shape, std::move(p));
+    auto plan = core::plan_surface(
+        open->flow, record.rake ? rakes.at(*record.rake).shape : core::Rake{}, std::move(p));
     if (!plan)
         return tl::unexpected(plan.error());
     if (auto there = core::take_levels(*plan, open->levels); !there)

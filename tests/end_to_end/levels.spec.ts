@@ -1,7 +1,9 @@
-// A level set from the panel: its field is chosen, its level dragged and typed, and what is shown has that value at every vertex.
+// Isosurfaces from the panel: the level is dragged and typed, what is shown has that value at every vertex, and several stand beside the
+// surface of a rake, in one list.
 import type { Page } from 'playwright-core';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { SurfaceRecord, SurfaceStats } from '../../web-client/src/protocol/messages.ts';
+import { readFragment } from '../../web-client/src/session/view/urlState.ts';
 import { ask, finalSurface } from './support/browser_page.ts';
 import { useTestRig } from './support/test_rig.ts';
 
@@ -12,12 +14,22 @@ beforeAll(async () => {
     page = await rig.visit({ width: 780, height: 560 });
 });
 
-async function record(): Promise<SurfaceRecord> {
+async function records(): Promise<SurfaceRecord[]> {
     const session = await ask(page, (hook) => hook.session);
     const { surfaces } = (await rig.server.call('surface.list', {
         session,
     })) as { surfaces: SurfaceRecord[] };
-    return surfaces[0]!;
+    return surfaces;
+}
+
+async function added(): Promise<SurfaceRecord> {
+    const before = (await records()).length;
+    await page.getByRole('button', { name: 'New isosurface' }).click();
+    await expect.poll(async () => (await records()).length).toBe(before + 1);
+    const made = (await records()).at(-1)!;
+    await page.locator(`[data-thing="${made.surface}"][aria-pressed="true"]`).waitFor();
+    await finalSurface(page);
+    return made;
 }
 
 /** The record once what was edited is on the screen. */
@@ -26,7 +38,7 @@ async function edited(edit: () => Promise<unknown>): Promise<SurfaceRecord> {
     await edit();
     await page.waitForFunction((old) => (window.wakesurf?.displayed?.epoch ?? 0) > old, before);
     await finalSurface(page);
-    return await record();
+    return (await records()).at(-1)!;
 }
 
 /** Of what is drawn, how far its speed is from a level in the mean: between nodes the speed of a mean is not the mean of speeds. */
@@ -37,9 +49,10 @@ async function offLevel(level: number): Promise<number> {
     return off.reduce((sum, each) => sum + each, 0) / off.length;
 }
 
-describe('a level set', () => {
+describe('an isosurface', () => {
     it('is dragged over the range of its field, typed, shown at the time of the clock, and there after a reload', async () => {
-        const first = await edited(() => page.getByRole('radio', { name: 'Level set' }).check());
+        const first = await added();
+        expect(first.rake).toBeUndefined();
         expect(first).toMatchObject({
             kind: 'level',
             field: 'U',
@@ -87,5 +100,27 @@ describe('a level set', () => {
         await finalSurface(page);
         expect(await ask(page, (hook) => hook.displayed!.time)).toBe(10);
         expect(await offLevel(0.6)).toBeLessThan(0.01);
+    });
+
+    it('is one of several, shown alone until that is taken back, also after a reload, and stays where the rake is deleted', async () => {
+        const thing = (name: string | RegExp) => page.getByRole('button', { name });
+        const shown = (): Promise<number> => ask(page, (hook) => hook.allDisplayed.length);
+        const second = await added();
+        await page.locator('#level-field').selectOption('velocity_x');
+        await expect.poll(async () => (await records()).at(-1)!.field).toBe('velocity_x');
+        await expect.poll(shown).toBe(3);
+        await thing(/^Show only velocity_x/).click();
+        await expect.poll(shown).toBe(1);
+        // The address follows within half a second.
+        await expect.poll(() => readFragment(new URL(page.url()).hash).state?.view.shown).toMatchObject({ only: second.surface });
+        await page.reload();
+        await finalSurface(page);
+        expect(await shown()).toBe(1);
+        await thing(/^Show only velocity_x/).click();
+        await expect.poll(shown).toBe(3);
+        await page.locator('[data-thing="r1"]').click();
+        await page.getByRole('button', { name: 'Delete', exact: true }).click();
+        await expect.poll(async () => (await records()).map(({ kind }) => kind)).toEqual(['level', 'level']);
+        expect((await records()).at(-1)!.surface).toBe(second.surface);
     });
 });

@@ -406,7 +406,7 @@ describe('a rake', () => {
         await click('Undo');
         await eventually(rakes, (each) => each.length === 2);
         expect(await surfaces()).toHaveLength(2);
-        await page.getByRole('list', { name: 'Rakes' }).getByRole('button').first().click();
+        await page.getByRole('list', { name: 'In the picture' }).getByRole('button').first().click();
         await page.waitForFunction(() => window.wakesurf!.rakes[0]!.chosen);
     });
 });

@@ -71,17 +71,17 @@ describe('a rake that is hidden', () => {
         expect(await displayed()).toBe(1);
     });
 
-    it('is all but the selected one where that is asked for', async () => {
+    it('is all but the one that is to be shown alone, until that is taken back', async () => {
         await page.getByRole('button', { name: 'New rake' }).click();
         await expect.poll(displayed).toBe(2);
-        await page.locator('#show-alone').check();
+        await page.getByRole('button', { name: 'Show only Rake 2' }).click();
         await expect.poll(drawnRakes).toHaveLength(1);
         await expect.poll(displayed).toBe(1);
         const [alone] = await drawnRakes();
-        await page.locator('button.rake[aria-pressed="false"]').click();
+        await page.getByRole('button', { name: 'Show only Rake 1' }).click();
         await expect.poll(async () => (await drawnRakes()).includes(alone!)).toBe(false);
         expect(await drawnRakes()).toHaveLength(1);
-        await page.locator('#show-alone').uncheck();
+        await page.getByRole('button', { name: 'Show only Rake 1' }).click();
         await expect.poll(displayed).toBe(2);
     });
 });

@@ -25,6 +25,7 @@ async function drawn(): Promise<void> {
 
 describe('a slice', () => {
     it('is added across an axis, is coloured and named by its field, moves with the slider, and is taken back by one undo', async () => {
+        await page.getByRole('button', { name: 'New slice' }).click();
         await page.locator('#slice-z').click();
         await drawn();
         const [first] = await records();
@@ -79,7 +80,7 @@ describe('a slice', () => {
 
     it('is there for those who come later', async () => {
         await page.reload();
-        await page.locator('wakesurf-slices li').waitFor();
+        await page.getByRole('list', { name: 'In the picture' }).getByText('z =').waitFor();
         await drawn();
         await page
             .locator('wakesurf-scalar-bar')

@@ -51,6 +51,12 @@ class ClientTest(ServerTest):
         self.assertIsInstance(raised.exception, ConnectionError)
         self.assertNotIn("s3cret", str(raised.exception))
 
+    def test_isosurface_asks_for_no_rake_and_makes_none(self):
+        with self.assertRaises(wakesurf.WakesurfError) as raised:
+            self.session.isosurface("velocity", 0.5, dataset="abc")
+        self.assertEqual(raised.exception.kind, "unsupported")
+        self.assertEqual(self.session.rakes(), [])
+
     # Data.
 
     def test_lists_and_describes_datasets(self):

@@ -17,6 +17,7 @@ import { frameFirstSurface } from './session/picture/initialView.ts';
 import { announceLostGraphics, showStillPictures, showTheme } from './session/picture/drawingSettings.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring, Noting, Probing } from './session/tools/pointTools.ts';
+import { connectChosenThings } from './session/picture/chosenThings.ts';
 import { hideSurfaces, measurePixels, showLooks } from './session/picture/looksInPicture.ts';
 import { BodyFields } from './session/picture/bodyFields.ts';
 import { announceMissingFields } from './session/picture/surfaceFields.ts';
@@ -111,6 +112,7 @@ function start(app: App): void {
         scene.pointerTools.add(tool);
     }
     hideSurfaces(state, view);
+    connectChosenThings({ state, view, scene });
     showLooks({ state, view, scene, worker });
     measurePixels(scene.controls, state, view.pixelsPerLength);
     connectPainting(view, scene);
@@ -221,7 +223,7 @@ function start(app: App): void {
             help: { view },
             sessionHead: { state, view, sessionList },
             datasetHead: { state, sessionList },
-            rakeList: { state, view, edits },
+            pictureList: { state, view, edits, slices: slices.model },
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
             slices: slices.model,

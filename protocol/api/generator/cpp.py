@@ -2,7 +2,7 @@
 import re
 import textwrap
 
-from .schema import camel, snake
+from .schema import camel, either, snake
 
 MADE = "// Made by protocol/api/generate from {}: do not edit."
 KEYWORDS = {"default", "delete", "new", "class", "struct"}
@@ -252,9 +252,14 @@ class Cpp:
         lines += ["    return out;", "}", "", "} // namespace", "", f"core::Result<void> check_kind(const {name}& setting) {{",
                  "    if (auto fits = core::check_kind(with_rakes(setting)); !fits)", "        return fits;"]
         for each in method.params.fields:
+            if "x-needed-for" in each.node and not self.of_engine(each):
+                kinds = [f"setting.parameters.kind == core::SurfaceKind::{camel(word)}" for word in each.node["x-needed-for"]]
+                words = quoted(f"a {either(each.node['x-needed-for'])} surface needs `{each.name}`")
+                lines += [f"    if (!setting.{self.member(each)} && ({' || '.join(kinds)}))",
+                          f"        return core::fail(core::Error::Code::InvalidArgument, {words}, {quoted(each.node.words.split(';')[0])});"]
             if "x-differs" in each.node:
                 other = each.node["x-differs"]
-                lines += [f"    if (setting.{self.member(each)} == setting.{snake(other)})",
+                lines += [f"    if (setting.{self.member(each)} && setting.{self.member(each)} == setting.{snake(other)})",
                           f"        return core::fail(core::Error::Code::InvalidArgument, \"`{each.name}` is the {other} itself\", "
                           "\"name another one\");"]
         return lines + ["    return {};", "}", "",

@@ -40,7 +40,7 @@ class Engine(Cpp):
                 others = " && ".join(f"p.kind != {kinds}::{camel(word)}" for word in words)
                 body += refuse(f"{self.place_in_engine(each)} && {others}",
                                quoted(f"`{each.name}` belongs to {either(words)} surfaces"), "leave it out")
-        for each in fields.values():
+        for each in filter(self.of_engine, fields.values()):
             for word in each.node.get("x-needed-for", []):
                 body += refuse(f"p.kind == {kinds}::{camel(word)} && !{self.place_in_engine(each)}",
                                quoted(f"a {word} surface needs `{each.name}`"), each.node.words)

@@ -188,6 +188,8 @@ class Reference:
         words = "" if node.name in self.known and node.words == self.api.shape(node.name).words else node.words
         if "x-only-for" in node:
             words += f"; only for {either(node['x-only-for'])} surfaces" + (", which need it" if "x-needed-for" in node else "")
+        elif "x-needed-for" in node:
+            words += f"; {either(node['x-needed-for'])} surfaces need it"
         return [f"`{each.name}`" + ("" if each.required else "?"), full_type(node, self.known) + default, words]
 
     def split(self, node, noun, parameters):

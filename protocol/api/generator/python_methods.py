@@ -115,6 +115,8 @@ class PythonMethods:
         node, more = each.node, []
         if "x-only-for" in node:
             more.append(f"only for {either(node['x-only-for'])} surfaces")
+        elif "x-needed-for" in node:
+            more.append(f"needed for {either(node['x-needed-for'])} surfaces")
         if node.kind in ("number", "count") and range_of(node) and "float" not in range_of(node):
             more.append(range_of(node))
         if "default" in node and node["default"] not in ([], ""):
@@ -139,6 +141,8 @@ class PythonMethods:
     def surface_argument(self, each, all_optional):
         kind = 'Union[Record, str]' if each.name in ("rake", "rake2") else self.types.asked(each.node)
         name = python_name(each.name)
+        if not all_optional and "x-needed-for" in each.node and "x-only-for" not in each.node:
+            return f"{name}: Optional[{kind}]"  # said by most; None by the kinds that have none
         return f"{name}: {kind}" if each.required and not all_optional else f"{name}: Optional[{kind}] = None"
 
     def surfaces(self):

@@ -102,7 +102,7 @@ def _rake(work: Work, given: Json, call: Call) -> Answer:
         rake = session.rake(**shape, **rest)
     record = rake.record()
     numbers = short({name: record[name] for name in ("rake", "kind", "points", "seeds", "clipped") if name in record})
-    numbers["surfaces"] = [each["surface"] for each in session.state()["surfaces"] if each["rake"] == rake.id]
+    numbers["surfaces"] = [each["surface"] for each in session.state()["surfaces"] if each.get("rake") == rake.id]
     cut = " What lay outside of the domain was cut off." if record["clipped"] else ""
     again = f" Surfaces on it are computed again: {', '.join(numbers['surfaces'])}." if numbers["surfaces"] else ""
     ends = " to ".join(_point(each) for each in record["points"][:4])
@@ -125,9 +125,8 @@ def _surface(work: Work, given: Json, call: Call) -> Answer:
         surface = _new(work, session, setting)
     work.made(surface.id)
     record = surface.record()
-    what = f"{record['kind']} of {record['dataset']} on rake {record['rake']}"
-    if record["kind"] == "level":
-        what = f"where {record['field']} of {record['dataset']} is {record['level']:.6g}"
+    what = (f"where {record['field']} of {record['dataset']} is {record['level']:.6g}" if record["kind"] == "level" else
+            f"{record['kind']} of {record['dataset']} on rake {record['rake']}")
     return Answer(f"Surface {surface.id}: {what}, from {record['from']:.6g} to {record['to']:.6g}, separation {record['separation']:.4g}. "
                   "It is being computed: wait for it.", _summary(record))
 
@@ -162,7 +161,8 @@ RAKE = tool("rake", "Place a rake", "Makes a rake, the line that particles are r
             {**properties_of(RakeMethods.set, (*_OWN, "dragging", "force"), points={"type": "array", "items": POINT}),
              "delete": {"type": "boolean", "description": "true: deletes the rake and its surfaces"}})(_rake)
 SURFACE = tool("surface", "Make or change a surface", "Makes a surface and starts to compute it; with `surface`, changes what is given of that one, or "
-               "deletes it. Of a new one only `kind` must be given: dataset, rake, times and separation are then chosen by the data.",
+               "deletes it. Of a new one only `kind` must be given: dataset, rake, times and separation are then chosen by the data; for level also `field` "
+               "and `level`, and no rake.",
                {**properties_of(SurfaceMethods.set, _OWN, sweep=POINT),
                 "delete": {"type": "boolean", "description": "true: deletes the surface"}})(_surface)
 UNDO = tool("undo", "Take back an edit", "Takes back the newest edit that was made with this link, or repeats it. Edits by other links stay; a person or script "

@@ -71,6 +71,12 @@ Record without_lease(Record record) {
     return record;
 }
 
+/// Level surfaces hung on rakes once: such a one stands by itself now.
+void leave_out_rake(Record& record) {
+    if (auto* surface = std::get_if<protocol::SurfaceRecord>(&record))
+        surface->rake = rake_kept(surface->parameters, surface->rake);
+}
+
 core::Result<void> take(const RecordKey& key, const std::string& text, SessionRecords& into) {
     // Also of one that is refused: another record under its id would be taken for it.
     into.skip_numbers(key.type, SessionRecords::number_of(key) + 1);
@@ -141,6 +147,11 @@ void colour_rakes(SessionRecords& records) {
 
 } // namespace
 
+std::optional<std::string> rake_kept(const core::SurfaceParameters& parameters,
+                                     const std::optional<std::string>& rake) {
+    return parameters.kind == core::SurfaceKind::Level ? std::nullopt : rake;
+}
+
 JournalEntry entry_of(const Record& record) {
     RecordKey key = key_of(record);
     return {std::string(name(key.type)), std::move(key.id),
@@ -176,6 +187,7 @@ core::Result<Record> read_record(const RecordKey& key, const std::string& text) 
     if (const auto* surface = std::get_if<protocol::SurfaceRecord>(&*record))
         if (auto sound = check_rules_of(*surface); !sound)
             return tl::unexpected(sound.error());
+    leave_out_rake(*record);
     clean_names(*record); // kept by a version that did not, or from a file
     return record;
 }

@@ -15,6 +15,10 @@
 
 namespace wakesurf::server {
 
+/// Returns the rake that a surface is kept with: none for a level surface, which begins at none.
+std::optional<std::string> rake_kept(const core::SurfaceParameters& parameters,
+                                     const std::optional<std::string>& rake);
+
 JournalEntry entry_of(const Record& record);
 JournalEntry entry_of(const protocol::ClockRecord& clock);
 JournalEntry entry_of(const protocol::SessionHead& head);

@@ -167,7 +167,8 @@ std::vector<std::string> SessionRecords::hanging_on(const std::string& rake) con
 
 bool SessionRecords::holds_rakes_of(const protocol::SurfaceRecord& surface) const {
     const auto& rakes = all<protocol::RakeRecord>();
-    return rakes.contains(surface.rake) && (!surface.rake2 || rakes.contains(*surface.rake2));
+    return (!surface.rake || rakes.contains(*surface.rake)) &&
+           (!surface.rake2 || rakes.contains(*surface.rake2));
 }
 
 std::string SessionRecords::free_colour() const {

@@ -1,4 +1,4 @@
-// Level surfaces as records of a session: what is checked before they are kept, what of a rake they follow, and that they come back.
+// Level surfaces as records of a session: what is checked before they are kept, that they hang on no rake, and that they come back.
 #include "core/surface/level/level_source.hpp"
 #include "tests/support/server/session_bench.hpp"
 
@@ -68,6 +68,7 @@ struct Bench {
 
     protocol::SurfaceSetting level(double value, std::optional<std::string> id = {}) const {
         auto setting = tests::surface_on(rake, std::move(id));
+        setting.rake.reset();
         setting.parameters.kind = core::SurfaceKind::Level;
         setting.parameters.field = "p";
         setting.parameters.level = value;
@@ -107,14 +108,35 @@ TEST(LevelRecords, NeedAFieldThatThereIsAndALevel) {
     EXPECT_TRUE(bench.session->records().all<protocol::SurfaceRecord>().empty())
         << "nothing was made";
     tests::SessionBench formula;
-    const std::string rake = formula.session->set_rake(tests::rake_at(1), formula.ada)->record.rake;
     setting = bench.level(0.25);
-    setting.rake = rake;
     EXPECT_EQ(formula.session->set_surface(setting, formula.ada).error().code,
               Error::Code::Unsupported);
 }
 
-TEST(LevelRecords, AreNotExtractedAgainWhenTheirRakeMovesAndGoWithIt) {
+TEST(LevelRecords, StandWithoutAnyRakeAndAreListed) {
+    Bench bench;
+    ASSERT_TRUE(bench.session->remove({RecordType::Rake, bench.rake}, bench.ada));
+    const auto made = bench.session->set_surface(bench.level(0.25), bench.ada);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(made->rake, std::nullopt);
+    EXPECT_EQ(bench.session->records().all<protocol::SurfaceRecord>().count(made->surface), 1U);
+    ASSERT_TRUE(bench.session->remove({RecordType::Surface, made->surface}, bench.ada));
+    EXPECT_TRUE(bench.session->move_in_history(HistoryMove::Undo, bench.ada).skipped.empty());
+    EXPECT_EQ(bench.session->records().all<protocol::SurfaceRecord>().count(made->surface), 1U);
+}
+
+TEST(LevelRecords, LeaveOutARakeThatAnOlderClientNamesAlsoWhereItIsGone) {
+    const Bench bench;
+    auto setting = bench.level(0.25);
+    for (const std::string& named : {bench.rake, std::string("r9")}) {
+        setting.rake = named;
+        const auto made = bench.session->set_surface(setting, bench.ada);
+        ASSERT_TRUE(made) << made.error().message;
+        EXPECT_EQ(made->rake, std::nullopt);
+    }
+}
+
+TEST(LevelRecords, AreNotTouchedWhenARakeIsMovedOrDeleted) {
     const Bench bench;
     const auto level = bench.session->set_surface(bench.level(0.25), bench.ada);
     const auto stream = bench.session->set_surface(tests::surface_on(bench.rake), bench.ada);
@@ -126,7 +148,37 @@ TEST(LevelRecords, AreNotExtractedAgainWhenTheirRakeMovesAndGoWithIt) {
     EXPECT_EQ(epoch(level), before.first);
     EXPECT_GT(epoch(stream), before.second);
     ASSERT_TRUE(bench.session->remove({RecordType::Rake, bench.rake}, bench.ada));
-    EXPECT_TRUE(bench.session->records().all<protocol::SurfaceRecord>().empty());
+    const auto& left = bench.session->records().all<protocol::SurfaceRecord>();
+    ASSERT_EQ(left.size(), 1U);
+    EXPECT_EQ(left.begin()->first, level->surface);
+}
+
+TEST(LevelRecords, OfAnOlderJournalStandWithoutTheRakeThatTheyHungOn) {
+    Bench bench;
+    const auto level = bench.session->set_surface(bench.level(0.25), bench.ada);
+    for (const bool rake_there : {true, false}) {
+        std::vector<JournalEntry> entries = bench.journal.entries("main");
+        for (JournalEntry& each : entries)
+            if (each.type == "surface")
+                each.record->insert(1, "\"rake\":\"" + bench.rake + "\",");
+            else if (each.type == "rake" && !rake_there)
+                each.record.reset();
+        const StoredRecords kept = read_entries(entries);
+        EXPECT_TRUE(kept.report.refused.empty());
+        const auto* read = kept.records.find<protocol::SurfaceRecord>(level->surface);
+        ASSERT_NE(read, nullptr);
+        EXPECT_EQ(read->rake, std::nullopt);
+    }
+}
+
+TEST(LevelRecords, AreTheOnlySurfacesThatNeedNoRake) {
+    const Bench bench;
+    auto setting = tests::surface_on(bench.rake);
+    setting.rake.reset();
+    const auto refused = bench.session->set_surface(setting, bench.ada);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, Error::Code::InvalidArgument);
+    EXPECT_EQ(refused.error().message, "a stream, path, streak or time surface needs `rake`");
 }
 
 } // namespace

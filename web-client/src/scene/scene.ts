@@ -285,7 +285,7 @@ export class FlowScene {
     /** Returns what is seen at a canvas position: a surface, the body, or a layer that can be pointed at. */
     pick(at: ScreenPoint): PickHit | null {
         const view = this.view();
-        let nearest = this.picker.at(view, this.body.geometry, at);
+        let nearest = this.picker.at(view, this.body.seen, at);
         for (const layer of this.layers) {
             const seen = layer.pick?.(view, at) ?? null;
             if (seen === null || seen.distance >= (nearest?.distance ?? Infinity)) continue;
@@ -295,7 +295,7 @@ export class FlowScene {
     }
 
     pickGrid(at: ScreenPoint, radiusPx: number, options: PickOptions): PickGrid {
-        return this.picker.grid(this.view(), this.body.geometry, at, radiusPx, options);
+        return this.picker.grid(this.view(), this.body.seen, at, radiusPx, options);
     }
 
     /** Draws at once, at full resolution, and returns the picture's pixels, RGBA from the bottom left. */

@@ -1,6 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import {
     allShown,
+    bodyId,
+    chosenRake,
     type ClipPlanes,
     decodeClip,
     decodeVisibility,
@@ -8,50 +10,63 @@ import {
     noClip,
     planeNumbers,
     renamedVisibility,
-    showsRake,
+    shows,
     showsSurface,
     toggled,
 } from './pageView.ts';
 
-const some = { hiddenRakes: new Set(['r2']), hiddenSurfaces: new Set(['s1']), alone: false, lockedRakes: new Set(['r1']) };
+const some = { hidden: new Set(['r2', 's1']), only: null, opacities: new Map([['c1', 0.5]]), lockedRakes: new Set(['r1']) };
 
 describe('what is shown', () => {
     it('is all but what is hidden, and a hidden rake hides its surfaces', () => {
-        expect(['r1', 'r2'].map((rake) => showsRake(some, rake, 'r1'))).toEqual([true, false]);
+        expect(['r1', 'r2', 'c1', bodyId].map((id) => shows(some, id, 'r1'))).toEqual([true, false, true, true]);
         const surfaces = [
             { surface: 's1', rake: 'r1' },
             { surface: 's2', rake: 'r1' },
             { surface: 's3', rake: 'r2' },
+            { surface: 's4' },
         ];
-        expect(surfaces.map((each) => showsSurface(some, each, 'r1'))).toEqual([false, true, false]);
+        expect(surfaces.map((each) => showsSurface(some, each, 'r1'))).toEqual([false, true, false, true]);
     });
 
-    it('is the chosen rake alone where that is asked for, though it is hidden otherwise', () => {
-        const alone = { ...some, alone: true };
-        expect(['r1', 'r2'].map((rake) => showsRake(alone, rake, 'r2'))).toEqual([false, true]);
-        expect(showsRake(alone, 'r1', null)).toBe(true);
+    it('is one thing alone where that is asked for, though it is hidden otherwise; a rake with its surfaces', () => {
+        const only = (id: string) => ({ ...some, only: id });
+        expect(['r1', 'r2', 'c1', bodyId].map((id) => shows(only('r2'), id))).toEqual([false, true, false, false]);
+        expect(shows(only(bodyId), bodyId)).toBe(true);
+        expect(showsSurface(only('r2'), { surface: 's3', rake: 'r2' }, null)).toBe(true);
+        expect(showsSurface(only('r2'), { surface: 's4' }, null)).toBe(false);
+        expect(showsSurface(only('s4'), { surface: 's4' }, null)).toBe(true);
     });
 
     it('goes through a link unchanged, and takes no room there where everything is shown', () => {
-        const encoded = encodeVisibility({ ...some, alone: true });
-        expect(decodeVisibility(JSON.parse(JSON.stringify(encoded)))).toEqual({ ...some, alone: true });
+        for (const each of [some, { ...some, only: 's4' }]) {
+            expect(decodeVisibility(JSON.parse(JSON.stringify(encodeVisibility(each))))).toEqual(each);
+        }
         expect(encodeVisibility(allShown)).toBeUndefined();
     });
 
+    it('is what links of old say, which name rakes and surfaces apart and know the chosen rake alone', () => {
+        const old = decodeVisibility({ rakes: ['r2'], surfaces: ['s1'], alone: true, locked: ['r1'] });
+        expect(old).toEqual({ ...some, only: chosenRake, opacities: new Map() });
+        expect(['r1', 'r2'].map((rake) => shows(old, rake, 'r2'))).toEqual([false, true]);
+        expect(shows(old, 'r1', null)).toBe(true);
+    });
+
     it('is everything where a link is damaged', () => {
-        for (const value of [null, 7, 'x', {}, { rakes: 7, surfaces: [3, null], locked: {}, alone: 'yes' }]) {
+        for (const value of [
+            null,
+            7,
+            'x',
+            {},
+            { rakes: 7, surfaces: [3, null], locked: {}, alone: 'yes', opacities: { c1: 7 } },
+        ]) {
             expect(decodeVisibility(value)).toEqual(allShown);
         }
     });
 
     it('goes on under other names, without what is not there any more', () => {
-        const renamed = renamedVisibility(some, new Map([['r2', 'r9']]), new Map([['s1', 's4']]));
-        expect(renamed).toEqual({
-            ...some,
-            hiddenRakes: new Set(['r9']),
-            hiddenSurfaces: new Set(['s4']),
-            lockedRakes: new Set(),
-        });
+        const renamed = renamedVisibility({ ...some, only: 's1' }, new Map([['r2', 'r9']]), new Map([['s1', 's4']]));
+        expect(renamed).toEqual({ hidden: new Set(['r9', 's4']), only: 's4', opacities: new Map(), lockedRakes: new Set() });
     });
 
     it('is switched on and off', () => {

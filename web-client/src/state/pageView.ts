@@ -79,27 +79,44 @@ export function renamedView(
     };
 }
 
+/** What of the picture is seen. Ids are those of records, and bodyId. */
 export interface Visibility {
-    hiddenRakes: ReadonlySet<string>;
-    /** Hidden surfaces of rakes that are shown. */
-    hiddenSurfaces: ReadonlySet<string>;
-    /** Only the chosen rake is shown, with its surfaces. */
-    alone: boolean;
+    /** A rake that is hidden hides its surfaces. */
+    hidden: ReadonlySet<string>;
+    /** Nothing else is shown: an id, or chosenRake; null: everything that is not hidden. */
+    only: string | null;
+    /** How opaque slices and the body are, 0 .. 1; those that are not in it hide what is behind them. */
+    opacities: ReadonlyMap<string, number>;
     /** Rakes that this page does not move. */
     lockedRakes: ReadonlySet<string>;
 }
 
+export const bodyId = 'body';
+/** In the place of an id in links of old: whichever rake is chosen. */
+export const chosenRake = 'rake';
+
 const none: ReadonlySet<string> = new Set();
-export const allShown: Visibility = { hiddenRakes: none, hiddenSurfaces: none, alone: false, lockedRakes: none };
+export const allShown: Visibility = { hidden: none, only: null, opacities: new Map(), lockedRakes: none };
 
 const maxIds = 200;
 
-export function showsRake({ hiddenRakes, alone }: Visibility, rake: string, chosen: string | null): boolean {
-    return alone && chosen !== null ? rake === chosen : !hiddenRakes.has(rake);
+/** @param rake that is chosen */
+export function shows({ hidden, only }: Visibility, id: string, rake: string | null = null): boolean {
+    const alone = only === chosenRake ? rake : only;
+    return alone === null ? !hidden.has(id) : id === alone;
 }
 
-export function showsSurface(visibility: Visibility, surface: { surface: string; rake: string }, chosen: string | null): boolean {
-    return showsRake(visibility, surface.rake, chosen) && !visibility.hiddenSurfaces.has(surface.surface);
+export function showsSurface(
+    visibility: Visibility,
+    { surface, rake }: { surface: string; rake?: string },
+    chosen: string | null,
+): boolean {
+    if (rake === undefined) return shows(visibility, surface, chosen);
+    return shows(visibility, rake, chosen) && !visibility.hidden.has(surface);
+}
+
+export function opacityOf({ opacities }: Visibility, id: string): number {
+    return opacities.get(id) ?? 1;
 }
 
 /** The set with the id where it was not, and without it where it was. */
@@ -112,38 +129,46 @@ export function toggled(ids: ReadonlySet<string>, id: string): ReadonlySet<strin
 /** Returns the visibility of the same records under other names; those that are not among them are left
  *  out. */
 export function renamedVisibility(
-    { hiddenRakes, hiddenSurfaces, alone, lockedRakes }: Visibility,
+    { hidden, only, opacities, lockedRakes }: Visibility,
     rakes: ReadonlyMap<string, string>,
     surfaces: ReadonlyMap<string, string>,
 ): Visibility {
-    const renamed = (ids: ReadonlySet<string>, names: ReadonlyMap<string, string>): Set<string> =>
-        new Set([...ids].flatMap((id) => names.get(id) ?? []));
+    const names = new Map([...rakes, ...surfaces, [bodyId, bodyId], [chosenRake, chosenRake]]);
+    const renamed = (ids: ReadonlySet<string>): Set<string> => new Set([...ids].flatMap((id) => names.get(id) ?? []));
     return {
-        hiddenRakes: renamed(hiddenRakes, rakes),
-        hiddenSurfaces: renamed(hiddenSurfaces, surfaces),
-        alone,
-        lockedRakes: renamed(lockedRakes, rakes),
+        hidden: renamed(hidden),
+        only: names.get(only ?? '') ?? null,
+        opacities: new Map([...opacities].flatMap(([id, part]) => (names.has(id) ? [[names.get(id)!, part] as const] : []))),
+        lockedRakes: renamed(lockedRakes),
     };
 }
 
 /** For JSON; undefined where everything is shown and free. */
-export function encodeVisibility({ hiddenRakes, hiddenSurfaces, alone, lockedRakes }: Visibility): object | undefined {
-    const lists = { rakes: hiddenRakes, surfaces: hiddenSurfaces, locked: lockedRakes };
-    const nonEmpty = Object.entries(lists).filter(([, ids]) => ids.size > 0);
-    if (nonEmpty.length === 0 && !alone) return undefined;
+export function encodeVisibility({ hidden, only, opacities, lockedRakes }: Visibility): object | undefined {
+    const lists = Object.entries({ hidden, locked: lockedRakes }).filter(([, ids]) => ids.size > 0);
+    if (lists.length === 0 && only === null && opacities.size === 0) return undefined;
     return {
-        ...Object.fromEntries(nonEmpty.map(([name, ids]) => [name, [...ids].slice(0, maxIds)])),
-        ...(alone ? { alone } : {}),
+        ...Object.fromEntries(lists.map(([name, ids]) => [name, [...ids].slice(0, maxIds)])),
+        ...(only === null ? {} : { only }),
+        ...(opacities.size === 0 ? {} : { opacities: Object.fromEntries([...opacities].slice(0, maxIds)) }),
     };
 }
 
-/** Never throws. */
+/** Never throws. Links of old name rakes and surfaces apart. */
 export function decodeVisibility(value: unknown): Visibility {
     if (typeof value !== 'object' || value === null) return allShown;
-    const { rakes, surfaces, alone, locked } = value as Record<string, unknown>;
-    const ids = (list: unknown): Set<string> =>
-        new Set(Array.isArray(list) ? list.slice(0, maxIds).filter((id): id is string => typeof id === 'string') : []);
-    return { hiddenRakes: ids(rakes), hiddenSurfaces: ids(surfaces), alone: alone === true, lockedRakes: ids(locked) };
+    const { hidden, rakes, surfaces, only, alone, opacities, locked } = value as Record<string, unknown>;
+    const ids = (list: unknown): string[] =>
+        Array.isArray(list) ? list.slice(0, maxIds).filter((id): id is string => typeof id === 'string') : [];
+    const isPart = (entry: [string, unknown]): entry is [string, number] =>
+        typeof entry[1] === 'number' && entry[1] >= 0 && entry[1] < 1;
+    const parts = typeof opacities === 'object' && opacities !== null ? Object.entries(opacities).slice(0, maxIds) : [];
+    return {
+        hidden: new Set([...ids(hidden), ...ids(rakes), ...ids(surfaces)]),
+        only: typeof only === 'string' ? only : alone === true ? chosenRake : null,
+        opacities: new Map(parts.filter(isPart)),
+        lockedRakes: new Set(ids(locked)),
+    };
 }
 
 export interface ClipPlane {

@@ -53,6 +53,10 @@ export interface Brush {
     radiusPx: number;
 }
 
+/** The id of a slice, or bodyId; newSlice: one is about to be added. */
+export type ChosenThing = string;
+export const newSlice = 'new slice';
+
 export class ViewState {
     readonly tool = signal<Tool>('none');
     readonly theme = signal<Theme>('system');
@@ -91,6 +95,8 @@ export class ViewState {
      *  are. */
     readonly fixedRanges = signal<AutomaticRanges | null>(null);
     readonly visibility = signal<Visibility>(allShown);
+    /** What of the list of what is in the picture is chosen; null: the rake and the surface that the panel acts on. */
+    readonly chosenThing = signal<ChosenThing | null>(null);
     readonly clip = signal<ClipPlanes>(noClip);
     readonly body = signal<BodyLook>(plainBody);
     readonly slices = signal<SliceLook>(plainSlices);

@@ -110,6 +110,7 @@ export class PageBench {
             const id = (params['surface'] as string | undefined) ?? `surface-${state.surfaces.value.size + 1}`;
             const { rev = 0, epoch = 0 } = state.surfaces.value.get(id) ?? {};
             const record = surfaceOf(id, { ...params, rev: rev + 1, epoch: epoch + 1 });
+            if (record.kind === 'level') delete record.rake;
             this.tell([put('surface', id, record)]);
             return record;
         }

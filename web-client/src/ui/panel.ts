@@ -24,8 +24,8 @@ import './share/peoplePanel.ts';
 import type { PeopleModel } from './share/peoplePanel.ts';
 import './view/probePanel.ts';
 import type { ProbeModel } from './view/probePanel.ts';
-import './rake/rakeList.ts';
-import type { RakeListModel } from './rake/rakeList.ts';
+import './picture/pictureList.ts';
+import type { PictureListModel } from './picture/pictureList.ts';
 import './rake/rakePanel.ts';
 import type { RakeModel } from './rake/rakePanel.ts';
 import { ModelElement } from './base/signalElement.ts';
@@ -44,6 +44,7 @@ import type { FilmExportModel, PictureExportModel } from './out/pictureExport.ts
 import { chosenMesh, type MeshExportModel } from './out/meshExport.ts';
 import type { AnimationExportModel } from './out/animationExport.ts';
 import { isolated } from '../state/announcements.ts';
+import { bodyId } from '../state/pageView.ts';
 
 // Nobody needs it before the first picture.
 void import('./share/linksPanel.ts');
@@ -89,7 +90,7 @@ export interface PanelModel {
     help: HelpModel;
     sessionHead: SessionHeadModel;
     datasetHead: DatasetHeadModel;
-    rakeList: RakeListModel;
+    pictureList: PictureListModel;
     surface: SurfaceModel;
     rake: RakeModel;
     /** Null: not loaded yet. */
@@ -106,6 +107,43 @@ export interface PanelModel {
     status: StatusModel;
 }
 
+/** Of what is chosen in the list. */
+function settingsOfChosen(model: PanelModel): TemplateResult {
+    const { state, view, slices } = model;
+    const thing = view.chosenThing.value;
+    if (thing === bodyId) {
+        return html`<section aria-labelledby="body-head">
+            <h2 id="body-head">Body</h2>
+            <wakesurf-body .model=${model.look}></wakesurf-body>
+        </section>`;
+    }
+    if (thing !== null) {
+        return html`<section aria-labelledby="slice-head">
+            <h2 id="slice-head">Slice</h2>
+            ${slices.value === null ? nothing : html`<wakesurf-slices .model=${slices.value}></wakesurf-slices>`}
+        </section>`;
+    }
+    const surface = html`<wakesurf-surface .model=${model.surface}></wakesurf-surface>`;
+    if (state.surface.value?.kind === 'level') {
+        return html`<section aria-labelledby="isosurface-head">
+            <h2 id="isosurface-head">Isosurface</h2>
+            ${surface}
+            <wakesurf-colour .model=${model.look}></wakesurf-colour>
+        </section>`;
+    }
+    if (state.rake.value === undefined) return html``;
+    return html`<section aria-labelledby="surface-head">
+            <h2 id="surface-head">Surface</h2>
+            ${surface}
+        </section>
+        <section aria-labelledby="rake-head">
+            <details open>
+                <summary><h2 id="rake-head">Geometry</h2></summary>
+                <wakesurf-rake .model=${model.rake}></wakesurf-rake>
+            </details>
+        </section>`;
+}
+
 interface Tab {
     id: string;
     label: string;
@@ -119,28 +157,15 @@ const tabs: readonly Tab[] = [
         id: 'flow',
         label: 'Flow',
         body: (model) => html`
-            <section aria-labelledby="rakes-head">
-                <h2 id="rakes-head">Rakes</h2>
-                <wakesurf-rake-list .model=${model.rakeList}></wakesurf-rake-list>
+            <section aria-labelledby="things-head">
+                <h2 id="things-head">In the picture</h2>
+                <wakesurf-picture-list .model=${model.pictureList}></wakesurf-picture-list>
             </section>
-            <section aria-labelledby="surface-head">
-                <h2 id="surface-head">Surface</h2>
-                <wakesurf-surface .model=${model.surface}></wakesurf-surface>
-            </section>
-            <section aria-labelledby="slices-head">
-                <h2 id="slices-head">Slices</h2>
-                ${model.slices.value === null ? nothing : html`<wakesurf-slices .model=${model.slices.value}></wakesurf-slices>`}
-            </section>
+            ${settingsOfChosen(model)}
             <section aria-labelledby="means-head" ?hidden=${(model.state.dataset.value?.times.length ?? 0) < 2}>
                 <details id="means">
                     <summary><h2 id="means-head">Means over time</h2></summary>
                     <wakesurf-means .model=${model.means}></wakesurf-means>
-                </details>
-            </section>
-            <section aria-labelledby="rake-head">
-                <details open>
-                    <summary><h2 id="rake-head">Geometry</h2></summary>
-                    <wakesurf-rake .model=${model.rake}></wakesurf-rake>
                 </details>
             </section>
         `,

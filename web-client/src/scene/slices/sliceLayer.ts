@@ -20,6 +20,7 @@ import { noSliceValue, sliceCodes, type SliceRaster } from '../../protocol/slice
 import type { Layer, ScreenPoint, SeenPoint, View } from '../base/view.ts';
 import { cross, dot, minus, plus, times } from '../rake/rakeShape.ts';
 import { shadedLayer } from '../surface/contactShade.ts';
+import { screenDoorGlsl } from '../surface/renderPasses.ts';
 import { type ColourMapName, colourTable, tableSize } from '../surface/colourMap.ts';
 
 /** How a slice is coloured. */
@@ -29,6 +30,8 @@ export interface SliceColours {
     range: [number, number];
     /** Lines of equal values, between which the range is divided evenly; 0: none. */
     contours: number;
+    /** Above 0. */
+    opacity: number;
 }
 
 interface Drawn {
@@ -53,13 +56,16 @@ uniform sampler2D table;
 uniform vec2 size;
 uniform vec2 scale; // from a code to a place in the table
 uniform float contours;
+uniform float opacity;
 varying vec2 at;
+${screenDoorGlsl}
 
 uint codeAt(ivec2 place) {
     return texelFetch(codes, clamp(place, ivec2(0), ivec2(size) - 1), 0).r;
 }
 
 void main() {
+    if (!isThere(opacity, ivec2(1, 2))) discard;
     vec2 place = at * size;
     // Bodies and the domain end where the nearest sample says.
     if (codeAt(ivec2(place)) == ${noSliceValue}u) discard;
@@ -163,6 +169,7 @@ function createSlice(): Drawn['mesh'] {
             size: { value: new Vector2(1, 1) },
             scale: { value: new Vector2(0, 0) },
             contours: { value: 0 },
+            opacity: { value: 1 },
         },
     });
     const mesh = new Mesh(geometry, material);
@@ -202,7 +209,7 @@ function place({ geometry, material }: Drawn['mesh'], raster: SliceRaster): void
 function colour({ mesh, colours: before }: Drawn, { range: [low, high] }: SliceRaster, colours: SliceColours | null): void {
     mesh.visible = colours !== null;
     if (colours === null) return;
-    const { table, scale, contours } = mesh.material.uniforms as Record<string, { value: unknown }>;
+    const { table, scale, contours, opacity } = mesh.material.uniforms as Record<string, { value: unknown }>;
     if (colours.map !== (before?.map ?? 'viridis')) {
         const texture = table!.value as DataTexture;
         texture.image.data!.set(colourTable(colours.map));
@@ -212,4 +219,5 @@ function colour({ mesh, colours: before }: Drawn, { range: [low, high] }: SliceR
     const length = to > from ? to - from : 1;
     (scale!.value as Vector2).set((high - low) / sliceCodes / length, (low - from) / length);
     contours!.value = colours.contours;
+    opacity!.value = colours.opacity;
 }

@@ -18,7 +18,7 @@ import type { BodyMesh, BodyValues } from '../../mesh/meshChange.ts';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { shadedLayer } from './contactShade.ts';
 import { flowTextureGlsl, flowVertexGlsl } from './flowTexture.ts';
-import { pushBack } from './renderPasses.ts';
+import { pushBack, screenDoorGlsl } from './renderPasses.ts';
 import type { SurfaceLayer } from './surfaceLayer.ts';
 import type { ColourMapName } from './colourMap.ts';
 import { makeNoise, type SharedUniforms, textureDefines } from './surfaceMaterial.ts';
@@ -26,6 +26,7 @@ import { makeNoise, type SharedUniforms, textureDefines } from './surfaceMateria
 /** Says of a program that it shows no values. */
 const plain = 'none false';
 
+type Uniforms = FieldUniforms & { opacityOfBody: { value: number } };
 type FieldUniforms = { colours: { value: DataTexture }; fieldRange: { value: Vector2 }; contourStep: { value: number } };
 
 type Planes = readonly (readonly [number, number, number, number])[];
@@ -53,6 +54,7 @@ export class DrawnBody {
     readonly object = new Group();
     private readonly surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>;
     private readonly flowTime = { value: 0 };
+    private readonly opacity = { value: 1 };
     private mesh: ReturnType<typeof createObstacleMesh> | null = null;
     private planes: Planes = [];
     /** They may come before the body does. */
@@ -73,6 +75,17 @@ export class DrawnBody {
 
     get geometry(): BufferGeometry | null {
         return this.mesh?.geometry ?? null;
+    }
+
+    /** What a pointer can be at: null where it is hidden. */
+    get seen(): BufferGeometry | null {
+        return this.object.visible ? this.geometry : null;
+    }
+
+    /** @param opacity 0: it is hidden */
+    setOpacity(opacity: number): void {
+        this.object.visible = opacity > 0;
+        this.opacity.value = opacity;
     }
 
     /** Returns whether the flow along it is seen. */
@@ -101,7 +114,10 @@ export class DrawnBody {
         this.mesh = createObstacleMesh(body);
         this.mesh.layers.enable(shadedLayer);
         pushBack(this.mesh.material, this.surfaces.bodyPush);
-        giveValues(this.mesh.material, this.surfaces.shared, this.flowTime, this.fieldUniforms);
+        giveValues(this.mesh.material, this.surfaces.shared, this.flowTime, {
+            ...this.fieldUniforms,
+            opacityOfBody: this.opacity,
+        });
         clipMaterial(this.mesh.material, this.planes);
         this.object.add(this.mesh);
         this.applyValues();
@@ -228,6 +244,8 @@ const vertexMain = `
 #endif`;
 
 const fragmentGlsl = `
+uniform float opacityOfBody;
+${screenDoorGlsl}
 #ifdef COLOURED
 in float fieldValue;
 uniform sampler2D colours;
@@ -255,7 +273,7 @@ const painted = '#include <color_fragment>';
 const lit = ['#include <lights_lambert_fragment>', '#include <lights_fragment_end>'] as const;
 
 /** @param time for how much simulation time the flow has gone  */
-function giveValues(material: MeshLambertMaterial, shared: SharedUniforms, time: { value: number }, field: FieldUniforms): void {
+function giveValues(material: MeshLambertMaterial, shared: SharedUniforms, time: { value: number }, field: Uniforms): void {
     const before = material.onBeforeCompile.bind(material);
     const { noiseScale, noiseFrom, noise, waves, flowed } = shared;
     const own = { lineDensity: { value: 1 }, byItself: { value: false }, flowTime: time, ...field };
@@ -267,7 +285,10 @@ function giveValues(material: MeshLambertMaterial, shared: SharedUniforms, time:
             .replace('#include <project_vertex>', `#include <project_vertex>${vertexMain}`);
         shader.fragmentShader = shader.fragmentShader
             .replace('void main() {', `${fragmentGlsl}\nvoid main() {`)
-            .replace(painted, `${painted}\n#ifdef COLOURED\n    diffuseColor.rgb = fieldColour(diffuseColor.rgb);\n#endif`)
+            .replace(
+                painted,
+                `    if (!isThere(opacityOfBody, ivec2(0))) discard;\n${painted}\n#ifdef COLOURED\n    diffuseColor.rgb = fieldColour(diffuseColor.rgb);\n#endif`,
+            )
             .replace(
                 lit[0],
                 `#ifdef TEXTURED\n    reflectedLight.directDiffuse = diffuseColor.rgb * light * flowTexture(1.0);\n#else\n${lit[0]}`,

@@ -65,6 +65,16 @@ export function drawDepth(renderer: WebGLRenderer, scene: Scene, camera: Camera,
     scene.onBeforeRender = prepare;
 }
 
+/** For what is opaque to the other passes, and lets through what is behind it between its pixels: in any order, and without noise that
+ *  moves. Ordered 4 x 4, by Bayer; what is shifted is seen through the gaps of what is not. */
+export const screenDoorGlsl = `
+bool isThere(float opacity, ivec2 shift) {
+    ivec2 at = (ivec2(gl_FragCoord.xy) + shift) & 3;
+    int low = at.x ^ at.y;
+    int order = ((low & 1) << 3) | ((at.y & 1) << 2) | (low & 2) | (at.y >> 1);
+    return (float(order) + 0.5) / 16.0 < opacity;
+}`;
+
 /** A part of the domain's diagonal: as deep as the flat quads of a surface reach into what is round. */
 export const bodyPush = 1 / 500;
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { datasetOf, fieldOf } from '../../testing/records.ts';
-import { besideRake, defaultSweep, describedRange, firstLevel, freeRake, levelFields, levelOf } from './defaults.ts';
+import { besideRake, defaultSweep, describedRange, firstLevel, freeLevel, freeRake, levelFields, levelOf } from './defaults.ts';
 
 describe('defaultSweep', () => {
     const bounds: [number, number, number, number, number, number] = [-8, 8, -4, 4, 0, 6];
@@ -105,7 +105,7 @@ describe('a further rake', () => {
     });
 });
 
-const surfaceFields = ['p', 'mask', 'error', 'U', 'deformation', 'approximated', 'q_criterion', 'velocity_x'];
+const surfaceFields = ['p', 'mask', 'error', 'U', 'deformation', 'approximated', 'q_criterion', 'velocity_x', 'normal_x'];
 const dataset = datasetOf({
     fields: [
         fieldOf('U', { components: 3, range: [0.5, 1.5] }),
@@ -121,10 +121,14 @@ describe('fields of level surfaces', () => {
         expect(levelFields(dataset)).toEqual(['p', 'mask', 'error', 'U', 'q_criterion', 'velocity_x']);
     });
 
-    it('begin in the middle of their range, or at 0 where it is not known', () => {
+    it('begin in the middle of their range, or where that is not known at what shows the cores of vortices, or at 0', () => {
         expect(firstLevel(dataset)).toEqual({ field: 'p', level: 1 });
-        expect(levelOf(dataset, 'q_criterion')).toEqual({ field: 'q_criterion', level: 0 });
+        expect(levelOf(dataset, 'q_criterion')).toEqual({ field: 'q_criterion', level: 75 });
+        expect(levelOf(dataset, 'velocity_x')).toEqual({ field: 'velocity_x', level: 0 });
         expect(firstLevel({ ...dataset, surfaceFields: ['mask', 'U'] })).toEqual({ field: 'U', level: 1 });
+        expect(freeLevel(dataset, new Set())).toEqual({ field: 'p', level: 1 });
+        expect(freeLevel(dataset, new Set(['p']))).toEqual({ field: 'U', level: 1 });
+        expect(freeLevel(dataset, new Set(levelFields(dataset)))).toEqual({ field: 'p', level: 2.5 });
     });
 
     it('have no range where all values are the same, or none is known', () => {

@@ -104,7 +104,10 @@ function extent(bounds: Bounds, axis: Axis): number {
 type Level = { field: string; level: number };
 
 /** What surfaces have, and not the data. */
-const ofSurfaces = ['deformation', 'approximated', 'error', 'interval_error', 'twin_distance', 'twin_lag'];
+const ofSurfaces = [
+    ...['deformation', 'approximated', 'error', 'interval_error', 'twin_distance', 'twin_lag'],
+    ...['normal_x', 'normal_y', 'normal_z'],
+];
 
 export function levelFields({ surfaceFields, fields }: DatasetDescription): string[] {
     const stored = (name: string): boolean => fields.some((field) => field.name === name);
@@ -117,11 +120,16 @@ export function describedRange({ fields }: DatasetDescription, name: string): re
     return low !== null && high !== null && low < high ? [low, high] : null;
 }
 
-/** Returns the middle of the field's range. Zero will do where that is not known: such fields have both
- *  signs, or say what they range over. */
+/** Returns the middle of the field's range. Where that is not known, of vortices and vorticity what a turn within a tenth of the domain at the
+ *  highest speed has, so that cores are seen; else zero: such fields have both signs, or say what they range over. */
 export function levelOf(dataset: DatasetDescription, field: string): Level {
     const range = describedRange(dataset, field);
-    return { field, level: range === null ? 0 : Number(((range[0] + range[1]) / 2).toPrecision(4)) };
+    if (range !== null) return { field, level: Number(((range[0] + range[1]) / 2).toPrecision(4)) };
+    const [, speed = 0] = describedRange(dataset, dataset.velocity) ?? [];
+    const size = Math.hypot(...([0, 1, 2] as Axis[]).map((axis) => extent(dataset.bounds, axis)));
+    const rate = size > 0 ? speed / (0.1 * size) : 0;
+    const level = field === 'q_criterion' ? rate ** 2 : field === 'vorticity' ? rate : 0;
+    return { field, level: Number(level.toPrecision(2)) };
 }
 
 /** Returns a level of the first stored scalar that says more than where the body is; else of the speed. */
@@ -131,4 +139,15 @@ export function firstLevel(dataset: DatasetDescription): Level {
             components === 1 && name !== 'mask' && dataset.surfaceFields.includes(name) && describedRange(dataset, name) !== null,
     );
     return levelOf(dataset, scalar?.name ?? dataset.velocity);
+}
+
+/** Returns a level of the first field that is not used; where all are, another one of the first, so that both are seen. */
+export function freeLevel(dataset: DatasetDescription, used: ReadonlySet<string | undefined>): Level {
+    const first = firstLevel(dataset);
+    const free = [first.field, ...levelFields(dataset)].find(
+        (name) => !used.has(name) && name !== 'mask' && describedRange(dataset, name) !== null,
+    );
+    if (free !== undefined) return levelOf(dataset, free);
+    const high = describedRange(dataset, first.field)?.[1] ?? first.level;
+    return used.has(first.field) ? { ...first, level: Number(((first.level + high) / 2).toPrecision(4)) } : first;
 }

@@ -3,7 +3,7 @@ import type { ParamsOf, RakeRecord, ResultOf, SurfaceSetting, Twin } from '../..
 import { type RakeShape, translated } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { besideRake, freeRake } from './defaults.ts';
+import { besideRake, freeLevel, freeRake } from './defaults.ts';
 import { announceFailure } from '../base/calls.ts';
 import type { Gestures } from './gestures.ts';
 import { surfacesOf } from './selection.ts';
@@ -81,6 +81,20 @@ export class RecordActions {
         });
     }
 
+    /** Of a field that no other is of, if there is one. */
+    newIsosurface(): Promise<void> {
+        return this.attempt('new isosurface', async (call) => {
+            const { dataset, surfaces, times } = this.state;
+            if (dataset.value === null) return;
+            const used = new Set([...surfaces.value.values()].map(({ field }) => field));
+            const level = freeLevel(dataset.value, used);
+            const [from, to] = [times.value[0] ?? 0, times.value.at(-1) ?? 0];
+            const setting = { dataset: dataset.value.dataset, kind: 'level' as const, from, to, ...level };
+            const { surface } = await call('surface.set', setting);
+            this.choose({ surface });
+        });
+    }
+
     deleteSurface(surface: string): Promise<void> {
         return this.attempt('delete surface', async (call) => {
             await call('surface.delete', { surface });
@@ -98,7 +112,7 @@ export class RecordActions {
     private async likeActive(rake: string): Promise<SurfaceSetting> {
         const { surface, dataset: shown } = this.state;
         const like = surface.value;
-        if (like !== undefined && like.kind !== 'time') {
+        if (like?.rake !== undefined && like.kind !== 'time') {
             const { surface: _surface, rev: _rev, epoch: _epoch, ...setting } = like;
             return { ...setting, rake };
         }

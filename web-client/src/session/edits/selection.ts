@@ -1,5 +1,5 @@
 // Which rake and which surface the panel acts on. They belong together: a rake that is chosen brings one of
-// its surfaces along, and a surface its rake.
+// its surfaces along, and a surface its rake; an isosurface has none.
 import { batch } from '@preact/signals-core';
 import type { AppState } from '../../state/appState.ts';
 
@@ -26,7 +26,7 @@ export class Selection {
 
     chooseSurface(surface: string): void {
         const record = this.state.surfaces.value.get(surface);
-        if (record !== undefined) this.set(record.rake, surface);
+        if (record !== undefined) this.set(record.rake ?? null, surface);
     }
 
     /** Another surface has been chosen elsewhere than here. */
@@ -43,14 +43,17 @@ export class Selection {
         if (surface !== undefined && surface.surface !== this.surface) this.chooseSurface(surface.surface);
         else if (rakes.value.has(rake)) {
             if (surface?.rake !== rake) this.chooseRake(rake);
-        } else this.chooseFirst();
+        } else if (surface === undefined || surface.rake !== undefined) this.chooseFirst();
     }
 
     private chooseFirst(): void {
         const { rakes, surfaces } = this.state;
-        const first = surfaces.value.values().next().value;
-        if (first !== undefined && rakes.value.has(first.rake)) this.set(first.rake, first.surface);
-        else this.chooseRake([...rakes.value.keys()][0] ?? null);
+        const there = [...surfaces.value.values()];
+        const first = there.find(({ rake }) => rake !== undefined && rakes.value.has(rake));
+        const rake = first?.rake ?? [...rakes.value.keys()][0] ?? null;
+        const shown = rake === null ? there.find((each) => each.rake === undefined) : first;
+        if (shown === undefined) this.chooseRake(rake);
+        else this.set(rake, shown.surface);
     }
 
     private set(rake: string | null, surface: string | null): void {

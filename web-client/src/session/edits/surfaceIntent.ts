@@ -116,10 +116,11 @@ function secondCurve({ sweep, rake2 }: SurfaceIntent): Pick<SurfaceRecord, 'swee
 
 /** Returns what makes a lost surface anew, on the rakes that have taken the place of its own. */
 export function settingForRecovery(record: SurfaceRecord, rakes: ReadonlyMap<string, string>): SurfaceSetting | null {
-    const rake = rakes.get(record.rake);
-    if (rake === undefined) return null;
     // A link may have anything else in it, which is not the server's to hear.
-    const { rake2: second, ...setting } = recordSetting(record);
+    const { rake2: second, rake: first, ...setting } = recordSetting(record);
+    if (record.kind === 'level') return setting;
+    const rake = rakes.get(first ?? '');
+    if (rake === undefined) return null;
     if (second === undefined) return { ...setting, rake };
     const rake2 = rakes.get(second);
     return rake2 === undefined ? null : { ...setting, rake, rake2 };

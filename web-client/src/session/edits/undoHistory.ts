@@ -112,7 +112,9 @@ export class UndoHistory {
         if (type === 'annotation') return 'a note';
         if (type === 'bookmark') return 'a view';
         const { rakes, surfaces } = this.state;
-        const rake = type === 'surface' ? (surfaces.value.get(id)?.rake ?? '') : id;
+        const surface = type === 'surface' ? surfaces.value.get(id) : undefined;
+        if (surface?.kind === 'level') return 'the isosurface';
+        const rake = type === 'surface' ? (surface?.rake ?? '') : id;
         const name = rakes.value.get(rake)?.name ?? '';
         if (name === '') return `a ${type}`;
         return type === 'surface' ? `the surface of ${isolated(name)}` : isolated(name);

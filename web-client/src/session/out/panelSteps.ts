@@ -8,16 +8,17 @@ import { type CallStep, type MeshFile, type ScriptStep, ScriptVariable } from '.
 export function surfaceSteps(state: AppState): ScriptStep[] {
     const record = state.surface.value;
     const second = state.rakes.value.get(record?.rake2 ?? '');
-    if (record === undefined || state.rake.value === undefined) return [];
+    const rake = state.rake.value;
+    if (record === undefined || (record.rake !== undefined && rake === undefined)) return [];
     const { surface: _surface, rev: _rev, epoch: _epoch, fields, ...setting } = record;
     const params = {
         ...setting,
-        rake: new ScriptVariable('rake'),
+        ...(rake === undefined ? {} : { rake: new ScriptVariable('rake') }),
         ...(second === undefined ? {} : { rake2: new ScriptVariable('rake2') }),
         ...(fields === undefined || fields.length === 0 ? {} : { fields }),
     };
     const otherwise: CallStep[] = [
-        rakeStep(state.rake.value, state.rakePoints.value, 'rake'),
+        ...(rake === undefined ? [] : [rakeStep(rake, state.rakePoints.value, 'rake')]),
         ...(second === undefined ? [] : [rakeStep(second, second.points, 'rake2')]),
         { method: 'surface.set', params, variable: 'surface' },
     ];

@@ -142,7 +142,12 @@ function idiom(method: string, params: ReadonlyMap<string, unknown>): string | n
             if (!known('kind', 'points', 'seeds', 'name', 'colour')) return null;
             return `session.rake(${[`${String(params.get('kind'))}=${written('points')}`, ...rest('kind', 'points')].join(', ')})`;
         case 'surface.set': {
-            if (params.has('surface') || !params.has('rake')) return null;
+            if (params.has('surface')) return null;
+            if (!params.has('rake')) {
+                const others = [...params].filter(([name]) => !['kind', 'field', 'level'].includes(name));
+                const more = others.map(([name, value]) => keywordArgument([name === 'from' ? 'from_' : snake(name), value]));
+                return `session.isosurface(${[written('field'), written('level'), ...more].join(', ')})`;
+            }
             const named = [`dataset=${written('dataset')}`, `from_=${written('from')}`, `to=${written('to')}`];
             const others = [...params]
                 .filter(([name]) => !['rake', 'kind', 'dataset', 'from', 'to'].includes(name))

@@ -29,7 +29,7 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
         const fixed = view.fixedRanges.value;
         const ranges = { automatic: fixed ?? automaticRanges(state, view), fixed: fixed !== null };
         for (const [id, record] of state.surfaces.value) {
-            const rake = state.rakes.value.get(record.rake);
+            const rake = state.rakes.value.get(record.rake ?? '');
             const outcome = state.outcomes.value.get(id);
             const facts = { record, rake, outcome, dataset: state.dataset.value, speedRange: state.speedRange.value, ...ranges };
             scene.surfaces.setStyle(id, styleOf({ look: view.lookOf(id), ...facts }));
@@ -48,7 +48,7 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
             if (state.hiddenSurfaces.value.has(id)) continue;
             const look = view.lookOf(id);
             const parts = look.hiddenParts.length > 0 || listed === id ? { hidden: look.hiddenParts } : null;
-            const closed = state.rakes.value.get(record.rake)?.kind === 'circle';
+            const closed = state.rakes.value.get(record.rake ?? '')?.kind === 'circle';
             const units = look.pieces === 'whole' ? {} : { units: closed ? ('closed' as const) : ('open' as const) };
             const fixed = look.smoke > 0 && record.refine === 'off' ? { unresolved: true as const } : {};
             const curved = look.curved ? { curved: view.pixelsPerLength.value } : {};

@@ -6,7 +6,7 @@ import type { RakeRecord } from '../../protocol/messages.ts';
 import type { DrawnRake, RakeHolder } from '../../scene/rake/rakeLayer.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
-import { showsRake } from '../../state/pageView.ts';
+import { shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { People } from '../people/people.ts';
@@ -22,7 +22,7 @@ export function showRakes(state: AppState, view: ViewState, scene: FlowScene): v
         if (scene.rakes.chosenId !== activeRake.value) scene.interaction.abandon();
         const own = scene.interaction.dragging ? scene.rakes.shape : settled;
         const visibility = view.visibility.value;
-        const shown = [...rakes.value.values()].filter(({ rake }) => showsRake(visibility, rake, activeRake.value));
+        const shown = [...rakes.value.values()].filter(({ rake }) => shows(visibility, rake, activeRake.value));
         const drawn = shown.map((record): DrawnRake => {
             const chosen = record.rake === activeRake.value;
             const colour = rakeColour(record, rakes.value);

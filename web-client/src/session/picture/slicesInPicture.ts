@@ -4,13 +4,13 @@ import { computed, effect, type ReadonlySignal, signal, untracked } from '@preac
 import type { SliceRecord, Vec3 } from '../../protocol/messages.ts';
 import { type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
 import type { FlowScene } from '../../scene/scene.ts';
-import { shortNumber } from '../../scene/base/numbers.ts';
-import { dot, unit } from '../../scene/rake/rakeShape.ts';
+import { dot } from '../../scene/rake/rakeShape.ts';
 import { spanAcross } from '../../scene/slices/planeSection.ts';
 import { SliceArrowLayer } from '../../scene/slices/sliceArrows.ts';
 import { SliceHandles } from '../../scene/slices/sliceHandles.ts';
 import { SliceLayer } from '../../scene/slices/sliceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
+import { opacityOf, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -19,12 +19,13 @@ import { RecordDrafts } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
 import { SlicePoints } from '../tools/slicePoints.ts';
 import { FieldColours, type FieldMeaning } from './fieldColours.ts';
+import { planeWords } from './planeWords.ts';
 import { SliceArrows } from './sliceArrows.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
     state: AppState;
-    view: Pick<ViewState, 'besidePointer' | 'slicePoints' | 'slices' | 'tool'>;
+    view: Pick<ViewState, 'besidePointer' | 'chosenThing' | 'slicePoints' | 'slices' | 'tool' | 'visibility'>;
     scene: Pick<FlowScene, 'add' | 'hold' | 'pick' | 'size' | 'view'> & {
         rakes: Pick<FlowScene['rakes'], 'pointUnder'>;
         loop: Pick<FlowScene['loop'], 'request'>;
@@ -48,8 +49,6 @@ export class Slices {
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there, or not as fine as the screen. */
     readonly waiting = signal(false);
-    /** Has handles in the picture. */
-    readonly chosen = signal<string | null>(null);
     readonly handles: SliceHandles;
     readonly arrows: SliceArrows;
     private readonly options: SlicesOptions;
@@ -101,21 +100,28 @@ export class Slices {
             });
         });
         effect(() => {
-            const place = this.places.value.get(this.chosen.value ?? '') ?? null;
+            const id = options.view.chosenThing.value ?? '';
+            const place = shows(options.view.visibility.value, id) ? (this.places.value.get(id) ?? null) : null;
             const bounds = state.dataset.value?.bounds ?? [];
             untracked(() => this.handles.set(place, bounds));
         });
         effect(() => {
-            void options.view.slices.value;
+            const visibility = options.view.visibility.value;
+            for (const id of this.places.value.keys()) if (!shows(visibility, id)) untracked(() => this.forget(id));
+        });
+        effect(() => {
+            void [options.view.slices.value, options.view.visibility.value];
             untracked(() => this.rasters.forEach((raster, id) => this.draw(id, raster)));
         });
     }
 
     /** Adds a slice through a point, of the field of the chosen one, and chooses it. */
     async add(origin: Vec3, normal: Vec3): Promise<void> {
-        const before = this.places.value.get(this.chosen.value ?? '') ?? [...this.places.value.values()][0];
+        const { view } = this.options;
+        const before = this.places.value.get(view.chosenThing.value ?? '') ?? [...this.places.value.values()][0];
         const field = before?.field ?? this.options.state.dataset.value?.velocity ?? '';
-        this.chosen.value = (await this.drafts.add({ origin, normal, field })) ?? this.chosen.value;
+        const made = await this.drafts.add({ origin, normal, field });
+        if (made !== null) view.chosenThing.value = made;
     }
 
     /** Draws it so at once, and tells the server. */
@@ -133,7 +139,7 @@ export class Slices {
             ...{ view: () => scene.view(), requestFrame: () => scene.loop.request(), onHold: (held) => scene.hold(held) },
             mayMove: () => !state.locked.value && view.tool.value === 'none',
             moved: ({ origin, normal }, at) => {
-                this.change(this.chosen.value!, { origin, normal });
+                this.change(view.chosenThing.value!, { origin, normal });
                 view.besidePointer.value = { at, words: planeWords(origin, normal) };
             },
             released: () => (view.besidePointer.value = null),
@@ -154,7 +160,8 @@ export class Slices {
                 if (view.tool.value !== 'none') return false;
                 const seen = this.layer.pick(scene.view(), at);
                 const isFirst = seen !== null && scene.pick(at)?.distance === seen.distance;
-                this.chosen.value = isFirst ? seen.slice : null;
+                if (isFirst) view.chosenThing.value = seen.slice;
+                else if (this.places.value.has(view.chosenThing.value ?? '')) view.chosenThing.value = null;
                 return isFirst;
             },
         });
@@ -162,14 +169,15 @@ export class Slices {
     }
 
     private wishAll(): void {
-        const { state } = this.options;
+        const { state, view } = this.options;
         const description = state.dataset.value;
         if (description === null || state.stage.value !== 'running') return;
         const { dataset } = description;
         const time = dataTime(description, this.options.time());
+        const visibility = view.visibility.value;
         for (const [id, { origin, normal, field }] of this.places.value) {
             // The edit is about to be refused, in words.
-            if (!meets(description.bounds, origin, normal)) continue;
+            if (!shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
             const wish = { dataset, origin, normal, field, time };
             this.values.want(id, wish);
             if (this.options.view.slices.value.arrows) this.arrows.want(id, wish);
@@ -208,7 +216,9 @@ export class Slices {
     private draw(id: string, raster: SliceRaster): void {
         const meaning = this.meanings.peek().get(id);
         const seen = meaning !== undefined && usualRange(raster) !== null;
-        this.layer.set(id, raster, seen ? { ...meaning, contours: this.options.view.slices.peek().contours } : null);
+        const { contours } = this.options.view.slices.peek();
+        const opacity = opacityOf(this.options.view.visibility.peek(), id);
+        this.layer.set(id, raster, seen ? { ...meaning, contours, opacity } : null);
         this.options.scene.loop.request();
     }
 
@@ -226,15 +236,6 @@ function meets(bounds: readonly number[], origin: Vec3, normal: Vec3): boolean {
     const [low, high] = spanAcross(bounds, normal);
     const at = dot(origin, normal);
     return low <= at && at <= high;
-}
-
-/** As short as it can be said: `x = 0.5`, or the direction. */
-export function planeWords(origin: Vec3, normal: Vec3): string {
-    const along = [0, 1, 2].findIndex((k) => normal.every((each, i) => (i === k) === (each !== 0)));
-    if (along >= 0) return `${'xyz'[along]!} = ${shortNumber(origin[along]!)}`;
-    return `across (${unit(normal)
-        .map((each) => shortNumber(Number(each.toPrecision(2))))
-        .join(', ')})`;
 }
 
 /** Without what the server alone writes. */

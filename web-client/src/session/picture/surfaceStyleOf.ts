@@ -9,6 +9,7 @@ import type {
     SurfaceStats,
     Vec3,
 } from '../../protocol/messages.ts';
+import { ownerColour } from './surfaceOwner.ts';
 import { niceStep } from '../../scene/base/numbers.ts';
 import { steadyRange } from '../../scene/surface/colourMap.ts';
 import { flowNames } from '../../scene/surface/surfaceMesh.ts';
@@ -39,7 +40,6 @@ const derived: readonly string[] = [
     twinLag,
 ];
 const fieldMark = 'field:';
-const usualColour = '#8fb8de';
 
 export interface StyleFacts {
     look: SurfaceLook;
@@ -125,7 +125,7 @@ export function styleOf(facts: StyleFacts): SurfaceStyle {
         rakeCloses: rake?.kind === 'circle',
         source: sourceOf(colourBy),
         scalar: attributeOf(colourBy) ?? '',
-        colour: colour ?? rake?.colour ?? usualColour,
+        colour: colour ?? ownerColour(record, rake),
         inverted: invert,
         logarithmic: log,
         root,

@@ -9,6 +9,7 @@ import type { PlotOf, ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import type { MeshDownload } from '../out/meshDownload.ts';
+import { ownerName } from '../picture/surfaceOwner.ts';
 import { coordinateText, timeWords } from '../picture/writtenNumbers.ts';
 import { type NumberTable, readNumbers } from '../surface/numberTable.ts';
 import { dataTime } from '../time/timeSteps.ts';
@@ -242,8 +243,7 @@ export class Plots {
         const table = this.table.value;
         if (table?.of === of) {
             this.asked = of;
-            const name = state.rakes.value.get(record.rake)?.name ?? '';
-            const title = `The ${record.kind} surface${name === '' ? '' : ` of ${name}`}`;
+            const title = `The ${record.kind} surface of ${ownerName(state, record)}`;
             return this.show(plotOfNumbers(table.table, this.drawn.value, title), '');
         }
         if (!complete || displayed === undefined) return untracked(() => this.show(null, 'Once the surface is complete.'));

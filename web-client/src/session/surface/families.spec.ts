@@ -10,7 +10,6 @@ function bench(answer: (asked: FamilyMakeParams, signal?: AbortSignal) => Promis
     const state = new AppState();
     state.dataset.value = datasetOf({ times: [0, 1, 2], surfaceFields: ['U', 'rake_family'] });
     state.rakes.value = new Map([['r1', rakeOf('r1')]]);
-    state.activeRake.value = 'r1';
     const asked: FamilyMakeParams[] = [];
     const changes: object[] = [];
     const times: (number | null)[] = [];
@@ -38,7 +37,7 @@ function familyOf(name: string): Family {
 describe('a family made from the page', () => {
     it('of the rake shows its level 0 at the time it was made for, and says how many nodes have no value', async () => {
         const { families, asked, changes, times } = bench(({ name }) => Promise.resolve(familyOf(name)));
-        await families.make('rake');
+        await families.make({ rake: 'r1' });
         expect(asked[0]).toMatchObject({ dataset: 'flow', name: 'rake_family_2', from: 'curve', rakeKind: 'line', time: 1.2 });
         expect(changes).toEqual([{ kind: 'level', field: 'rake_family_2', level: 0 }]);
         expect(times).toEqual([1]);
@@ -62,7 +61,7 @@ describe('a family made from the page', () => {
                     signal?.addEventListener('abort', () => reject(new CallError(cancelled)));
                 }),
         );
-        const making = families.make('rake');
+        const making = families.make({ rake: 'r1' });
         await families.make('x');
         expect(asked).toHaveLength(1);
         families.progressed('another', 90);

@@ -1,5 +1,5 @@
 // Makes a family of stream surfaces from the page: a scalar that the flow carries, from the chosen rake or
-// from the inflow, as a field of the dataset. The chosen surface then shows a level set of it.
+// from the inflow, as a field of the dataset. The chosen isosurface then shows a level set of it.
 import type { FamilyMakeParams } from '../../protocol/generated/family.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -7,11 +7,11 @@ import { LongCall } from '../base/longCall.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { ClockControl } from '../time/clockControl.ts';
 
-/** The rake, or which coordinate of the inflow. */
-export type FamilyChoice = 'rake' | 'x' | 'y' | 'z';
+/** A rake, or which coordinate of the inflow. */
+export type FamilyChoice = { rake: string } | 'x' | 'y' | 'z';
 
 export interface FamiliesOptions {
-    state: Pick<AppState, 'dataset' | 'rakeShape'>;
+    state: Pick<AppState, 'dataset' | 'rakes'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'changeSurface'>;
     clock: Pick<ClockControl, 'set'>;
@@ -36,7 +36,7 @@ export class Families extends LongCall {
             const { time, range, nodes, reached } = steps[0]!;
             if (state.dataset.value!.times.length > 1) clock.set(time);
             // The level of a curve's own surface is 0.
-            const level = choice === 'rake' ? 0 : Number(((range[0] + range[1]) / 2).toPrecision(4));
+            const level = typeof choice === 'object' ? 0 : Number(((range[0] + range[1]) / 2).toPrecision(4));
             edits.changeSurface({ kind: 'level', field: name, level });
             return `${name}: ${nodes - reached} of ${nodes} nodes have no value.`;
         });
@@ -46,13 +46,15 @@ export class Families extends LongCall {
         const { state, time } = this.options;
         const dataset = state.dataset.value;
         if (dataset === null) return null;
+        const rake = typeof choice === 'object' ? state.rakes.value.get(choice.rake) : null;
+        if (rake === undefined) return null;
         const common = {
             dataset: dataset.dataset,
-            name: freeName(dataset.surfaceFields, choice === 'rake' ? 'rake_family' : `${choice}_family`),
+            name: freeName(dataset.surfaceFields, rake === null ? `${choice as string}_family` : 'rake_family'),
             time: time(),
         };
-        if (choice !== 'rake') return { ...common, from: 'inflow', scalar: choice };
-        const { kind, points } = state.rakeShape.value;
+        if (rake === null) return { ...common, from: 'inflow', scalar: choice as 'x' | 'y' | 'z' };
+        const { kind, points } = rake;
         return { ...common, from: 'curve', rakeKind: kind, points: points.map((point) => [...point] as typeof point) };
     }
 }

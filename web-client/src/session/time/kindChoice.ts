@@ -4,7 +4,6 @@ import type { SurfaceKind } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Edits } from '../edits/edits.ts';
-import { firstLevel } from '../edits/defaults.ts';
 import { followed } from '../edits/surfaceTimes.ts';
 import type { SurfaceIntent } from '../edits/surfaceIntent.ts';
 import type { ClockControl } from './clockControl.ts';
@@ -29,11 +28,6 @@ interface Times {
 export function chooseKind({ state, edits, clock, playback }: KindChoice, kind: SurfaceKind): void {
     const before = edits.intent.value;
     if (before === null || before.kind === kind) return;
-    if (kind === 'level') {
-        const dataset = state.dataset.value;
-        if (dataset !== null) edits.changeSurface({ kind, ...(before.field === null ? firstLevel(dataset) : {}) });
-        return;
-    }
     const steady = state.dataset.value?.steady ?? false;
     const shownBefore = playback.time.value;
     const suggested = suggestedOf(state, kind);
@@ -43,11 +37,6 @@ export function chooseKind({ state, edits, clock, playback }: KindChoice, kind: 
         : kind === 'stream'
           ? frozenTimes(times, shownBefore, suggested?.length ?? before.length)
           : movingTimes(before, { ...before, kind }, shownBefore, times, suggested, suggestedOf(state, before.kind));
-    if (before.kind === 'level' && suggested !== null) {
-        const { from, length, separation } = suggested;
-        edits.changeSurface({ kind, from, length, separation });
-        return;
-    }
     const separation = chosenSeparation(before, suggested?.separation, suggestedOf(state, before.kind)?.separation);
     const change = { kind, from: after.from, length: after.length, separation };
     edits.changeSurface(change, undefined, jumpWords(shownBefore, after, steady));

@@ -1,5 +1,12 @@
 // Recovery of a session that the server has forgotten, from what the page or its link remembers.
-import type { AnnotationRecord, BookmarkRecord, RakeRecord, SessionSnapshot, SurfaceRecord } from '../../protocol/messages.ts';
+import type {
+    AnnotationRecord,
+    BookmarkRecord,
+    RakeRecord,
+    SessionSnapshot,
+    SurfaceRecord,
+    SurfaceSetting,
+} from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import { readPageView, renamedView } from '../../state/pageView.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
@@ -26,7 +33,7 @@ export interface Recovered {
 export function knownContent(state: AppState, url: UrlState): SessionContent {
     const [records, surfaces] = [[...state.rakes.value.values()], [...state.surfaces.value.values()]];
     const [bookmarks, annotations] = [[...state.bookmarks.value.values()], [...state.annotations.value.values()]];
-    const known = records.length + bookmarks.length + annotations.length > 0;
+    const known = records.length + surfaces.length + bookmarks.length + annotations.length > 0;
     if (!known && url.state !== null) return { rakes: url.state.rakes, surfaces: url.state.surfaces, bookmarks, annotations };
     const [active, shape] = [state.rake.value?.rake, state.rakeShape.value];
     const rakes = records.map((record) => {
@@ -38,6 +45,10 @@ export function knownContent(state: AppState, url: UrlState): SessionContent {
 
 export function isEmptyContent({ rakes, bookmarks, annotations }: SessionContent): boolean {
     return rakes.length + bookmarks.length + annotations.length === 0;
+}
+
+function isAsked({ rake, kind, field }: SurfaceRecord, setting: SurfaceSetting): boolean {
+    return rake === setting.rake && kind === setting.kind && field === setting.field;
 }
 
 /**
@@ -62,7 +73,7 @@ export async function recoverSession(
     for (const record of remembered.surfaces) {
         const setting = settingForRecovery(record, rakes);
         const now =
-            taken(left.surfaces, (each) => each.rake === setting?.rake && each.kind === setting.kind) ??
+            taken(left.surfaces, (each) => setting !== null && isAsked(each, setting)) ??
             (await refusals.of('surface', setting === null ? null : () => worker.call('surface.set', setting)));
         if (now !== null) surfaces.set(record.surface, now.surface);
     }

@@ -2,6 +2,7 @@
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, isBands, mostBands, tableSize } from '../../scene/surface/colourMap.ts';
 import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
+import { ownerColour } from '../../session/picture/surfaceOwner.ts';
 import { attributeOf, isLogarithmic, isSigned, knownRange } from '../../session/picture/surfaceStyleOf.ts';
 import { colourMaps, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -139,9 +140,9 @@ export class ColourPanel extends LookGroup<ColourModel> {
     }
 
     private constant(look: SurfaceLook): TemplateResult {
-        const colour = look.colour ?? this.model.state.rake.value?.colour ?? '#8fb8de';
+        const colour = look.colour ?? ownerColour(this.model.state.surface.value!, this.model.state.rake.value);
         const own = look.colour !== null;
-        return html`${checkRow('A different colour from the rake', own, (on) => this.change({ colour: on ? colour : null }), { id: 'own-colour' })}
+        return html`${checkRow(this.model.state.rake.value === undefined ? 'A different colour' : 'A different colour from the rake', own, (on) => this.change({ colour: on ? colour : null }), { id: 'own-colour' })}
             <label class="row" for="surface-colour"
                 ><span>Colour</span>
                 <input

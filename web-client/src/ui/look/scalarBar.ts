@@ -7,8 +7,10 @@ import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/number
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
+import { bodyId, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { BodyFields } from '../../session/picture/bodyFields.ts';
+import { ownerName } from '../../session/picture/surfaceOwner.ts';
 import type { Slices } from '../../session/picture/slicesInPicture.ts';
 import { intervalError } from '../../session/picture/surfaceStyleOf.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
@@ -152,7 +154,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             if (style.source === 'constant') continue;
             const title = titleOf(style);
             const key = JSON.stringify([title, colours, map, inverted, logarithmic, root, bandCount, style.rangeOf]);
-            const of = state.rakes.value.get(record.rake)?.name || record.rake;
+            const of = ownerName(state, record);
             const held = bars.get(key);
             const rangeOf = style.source === 'scalar' || style.rangeOf === 'film' ? style.rangeOf : null;
             if (held === undefined) {
@@ -182,7 +184,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
 
     private bodyBar(): Bar[] {
         const span = this.model.bodyFields.span.value;
-        if (span === null) return [];
+        if (span === null || !shows(this.model.view.visibility.value, bodyId)) return [];
         const { invert: inverted, range } = this.model.view.body.value;
         const { field, map, colours, beyond } = span;
         const title = this.titleOf(field);

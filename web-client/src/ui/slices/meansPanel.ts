@@ -9,7 +9,7 @@ import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { checkRow, typedNumber } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { fieldWords } from '../surface/levelPanel.ts';
+import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 
 export interface MeansModel {
     state: Pick<AppState, 'dataset' | 'locked'>;

@@ -1,26 +1,25 @@
-// Planes through the data: which there are, where they lie and what they show.
+// Planes through the data: how one is added, and where the chosen one lies and what it shows.
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import { levelFields } from '../../session/edits/defaults.ts';
 import { dot, plus, times, unit } from '../../scene/rake/rakeShape.ts';
 import { spanWithin } from '../../scene/slices/sliceHandles.ts';
-import { planeWords, type SlicePlace, Slices } from '../../session/picture/slicesInPicture.ts';
+import { type SlicePlace, Slices } from '../../session/picture/slicesInPicture.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
-import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { mostContours } from '../../state/sliceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { fieldWords } from '../surface/levelPanel.ts';
+import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 
 /** Loaded with the panel, after the first picture. */
 export { Slices };
 
 export interface SlicesModel {
     state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'slices'>;
-    view: Pick<ViewState, 'slices' | 'tool'>;
+    view: Pick<ViewState, 'chosenThing' | 'slices' | 'tool'>;
     slices: Slices;
 }
 
@@ -41,21 +40,6 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
             gap: 6px;
             align-items: center;
         }
-        ul {
-            margin: 6px 0;
-        }
-        li {
-            display: grid;
-            grid-template-columns: minmax(0, 1fr) auto;
-            gap: 6px;
-            margin-top: 4px;
-        }
-        .go {
-            text-align: left;
-        }
-        .go[aria-pressed='true'] {
-            border-color: var(--accent);
-        }
         .triple {
             display: grid;
             grid-template-columns: 4em repeat(3, minmax(0, 1fr));
@@ -66,18 +50,15 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
     `;
 
     override render(): TemplateResult {
-        const { state, slices } = this.model;
+        const { state, view, slices } = this.model;
         const { dataset } = state;
         if (dataset.value === null) return html``;
-        const places = [...slices.places.value];
         const locked = state.locked.value;
-        const [id, place] = places.find(([each]) => each === slices.chosen.value) ?? places[0] ?? ['', null];
+        const id = view.chosenThing.value ?? '';
+        const place = slices.places.value.get(id) ?? null;
         const bounds = dataset.value.bounds as unknown as Bounds;
         return html`
             ${locked ? nothing : this.adding(bounds)}
-            <ul aria-label="Slices">
-                ${places.map(([each, { field, normal, origin }]) => this.row(each, each === id, `${field}, ${planeWords(origin, normal)}`, locked))}
-            </ul>
             ${place === null ? nothing : this.settings(id, place, bounds, locked)}
         `;
     }
@@ -110,21 +91,6 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                 3 points
             </button>
         </div>`;
-    }
-
-    private row(id: string, chosen: boolean, words: string, locked: boolean): TemplateResult {
-        return html`<li>
-            <button type="button" class="go cut" aria-pressed=${chosen} title=${words} @click=${() => (this.model.slices.chosen.value = id)}>
-                ${isolated(words)}
-            </button>
-            ${
-                locked
-                    ? nothing
-                    : html`<button type="button" aria-label=${`Delete the slice ${words}`} @click=${() => void this.model.slices.remove(id)}>
-                      ✕
-                  </button>`
-            }
-        </li>`;
     }
 
     private settings(id: string, place: SlicePlace, bounds: Bounds, locked: boolean): TemplateResult {

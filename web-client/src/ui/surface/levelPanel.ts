@@ -10,19 +10,18 @@ import { describedRange, levelFields, levelOf } from '../../session/edits/defaul
 import { numberRow, selectRow } from '../base/rows.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { Families, FamilyChoice } from '../../session/surface/families.ts';
-import { isolated } from '../../state/announcements.ts';
+import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 
 const sliderSteps = 500;
 
-const sources: readonly [FamilyChoice, string][] = [
-    ['rake', 'This rake'],
+const inflows: readonly [FamilyChoice, string][] = [
     ['x', 'Inflow: x'],
     ['y', 'Inflow: y'],
     ['z', 'Inflow: z'],
 ];
 
 export interface LevelModel {
-    state: Pick<AppState, 'dataset' | 'outcomes' | 'surface'>;
+    state: Pick<AppState, 'dataset' | 'outcomes' | 'rakes' | 'surface'>;
     edits: Pick<Edits, 'changeSurface' | 'intent' | 'remark'>;
     families: Families;
 }
@@ -30,7 +29,7 @@ export interface LevelModel {
 /** Rows of the surface's panel. */
 export class LevelRows {
     private readonly model: LevelModel;
-    private readonly source = signal<FamilyChoice>('rake');
+    private readonly source = signal<FamilyChoice | null>(null);
 
     constructor(model: LevelModel) {
         this.model = model;
@@ -74,19 +73,24 @@ export class LevelRows {
 
     /** A scalar that the flow carries, whose level sets are stream surfaces. */
     private family(): TemplateResult {
-        const { families } = this.model;
+        const { families, state } = this.model;
+        const rakes = [...state.rakes.value.values()].map(({ rake, name }): [FamilyChoice, string] => [
+            { rake },
+            `Rake: ${name}`,
+        ]);
+        const sources = [...rakes, ...inflows];
         const status = families.status.value;
         const making = status?.making === true;
         const choose = (event: Event): void => {
-            this.source.value = (event.target as HTMLSelectElement).value as FamilyChoice;
+            this.source.value = sources[(event.target as HTMLSelectElement).selectedIndex]?.[0] ?? null;
         };
         return html`<details id="family">
             <summary>Make a family…</summary>
             <label class="row" for="family-from">
                 <select id="family-from" ?disabled=${making} @change=${choose}>
-                    ${sources.map(([value, words]) => html`<option value=${value}>${words}</option>`)}
+                    ${sources.map(([, words]) => html`<option>${words}</option>`)}
                 </select>
-                <button type="button" @click=${() => (making ? families.cancel() : void families.make(this.source.value))}>
+                <button type="button" @click=${() => (making ? families.cancel() : void families.make(this.source.value ?? sources[0]![0]))}>
                     ${making ? 'Cancel' : 'Make it'}
                 </button>
             </label>
@@ -110,10 +114,4 @@ export class LevelRows {
     private readonly levelSlid = (event: Event): void => {
         this.model.edits.changeSurface({ level: (event.target as HTMLInputElement).valueAsNumber });
     };
-}
-
-export function fieldWords(name: string, { velocity }: DatasetDescription): string {
-    if (name === velocity) return `${isolated(name)} (speed)`;
-    if (name === 'q_criterion') return 'Vortices (Q)';
-    return name === 'vorticity' ? 'Vorticity (magnitude)' : name;
 }

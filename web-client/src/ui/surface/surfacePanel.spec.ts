@@ -24,14 +24,14 @@ describe('the kinds of surface', () => {
     it('are those of the server, and move only where the data do', async () => {
         const kinds = () => panel.all('[type=radio]') as HTMLInputElement[];
         const offered = () => kinds().flatMap(({ disabled, value }) => (disabled ? [] : [value]));
-        expect(offered()).toEqual(['stream', 'path', 'streak', 'time', 'level']);
+        expect(offered()).toEqual(['stream', 'path', 'streak', 'time']);
         bench.state.capabilities.value = ['stream', 'streak'];
         await rested();
         expect(offered()).toEqual(['stream', 'streak']);
         bench.state.dataset.value = { ...bench.state.dataset.value!, times: [0] };
         await rested();
         expect(offered()).toEqual(['stream']);
-        expect(note()).toBe('The data have one time, 0: only stream surfaces and level sets can be shown.');
+        expect(note()).toBe('The data have one time, 0: only stream surfaces and isosurfaces can be shown.');
         bench.state.dataset.value = { ...bench.state.dataset.value, steady: true };
         await rested();
         expect(note()).toBe('The flow does not change: a stream surface is also the streak surface.');
@@ -108,10 +108,14 @@ describe('the kinds of surface', () => {
     });
 });
 
-describe('a level set', () => {
-    it('takes a field and any level of it, and gives way to a kind that follows particles', async () => {
+describe('an isosurface', () => {
+    const surface = () => bench.surfaces.at(-1)!;
+
+    it('takes a field and any level of it, beside the surfaces of rakes', async () => {
         bench.state.dataset.value = { ...bench.state.dataset.value!, surfaceFields: ['U', 'q_criterion', 'error'] };
-        await choose('Level set');
+        await bench.edits.actions.newIsosurface();
+        await rested();
+        expect(surface().rake).toBeUndefined();
         expect(surface()).toMatchObject({ kind: 'level', field: 'U', level: 0.896, from: 8.5, to: 16 });
         expect(panel.get<HTMLElement>('#level-range').textContent).toBe('0.002 to 1.79 in the data.');
         await panel.enter('#level', 'Level', 1.5);
@@ -119,20 +123,21 @@ describe('a level set', () => {
         const fields = [...panel.get<HTMLSelectElement>('#level-field').options].map(({ value }) => value);
         expect(fields).toEqual(['U', 'q_criterion']);
         await panel.enter('#level-field', 'Field', 'q_criterion');
-        expect(surface()).toMatchObject({ field: 'q_criterion', level: 0 });
+        expect(surface()).toMatchObject({ field: 'q_criterion', level: 0.91 });
         // What the data have of it is known once the server has looked.
         expect(panel.all('#level-range')).toEqual([]);
-        const stats = sampleStatistics({ surface: 'surface-1', fieldRange: [-3, 4] });
-        bench.state.outcomes.value = new Map([['surface-1', stats]]);
+        const stats = sampleStatistics({ surface: 'surface-2', fieldRange: [-3, 4] });
+        bench.state.outcomes.value = new Map([['surface-2', stats]]);
         await rested();
         expect([panel.get('#level').min, panel.get('#level').max]).toEqual(['-3', '4']);
         for (const level of [1e6, 0.5]) {
             await panel.enter('#level-value', 'Level', level);
             expect(surface()).toMatchObject({ field: 'q_criterion', level });
         }
-        await choose('Stream');
-        expect(surface()).toMatchObject({ kind: 'stream', from: 16, to: 36 });
-        expect(surface().field).toBeUndefined();
+        expect(bench.surfaces[0]!.kind).toBe('stream');
+        bench.edits.chooseRake('rake-1');
+        await rested();
+        expect(panel.all('#level-field')).toEqual([]);
     });
 });
 

@@ -63,13 +63,8 @@ const betweens: readonly Choice<Between>[] = [
     { value: 'flow', words: 'Along the flow' },
 ];
 
-const kindNames: Record<SurfaceKind, string> = {
-    stream: 'Stream',
-    path: 'Path',
-    streak: 'Streak',
-    time: 'Time',
-    level: 'Level set',
-};
+const kindNames = { stream: 'Stream', path: 'Path', streak: 'Streak', time: 'Time', level: 'Isosurface' } as const;
+const kindsOfRakes = surfaceKinds.filter((kind) => kind !== 'level');
 
 /** Of the time that the fluid takes: what moves is shown first where the data last longer, see scene_suggestion.cpp. */
 const leastLasting = 0.3;
@@ -95,7 +90,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         }
         .kinds {
             display: grid;
-            grid-template-columns: repeat(3, auto);
+            grid-template-columns: repeat(4, auto);
             margin: 0 0 10px;
             padding: 2px;
             border: 1px solid var(--line);
@@ -112,9 +107,9 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         .kind {
             display: flex;
             align-items: center;
-            gap: 6px;
+            gap: 5px;
             min-height: 28px;
-            padding-left: 8px;
+            padding-left: 4px;
             border-radius: 6px;
             cursor: pointer;
         }
@@ -154,7 +149,9 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         const { state, edits } = this.model;
         const intent = edits.intent.value;
         const dataset = state.dataset.value;
-        if (dataset === null || state.rake.value === undefined) return html``;
+        if (dataset === null) return html``;
+        if (intent?.kind === 'level') return this.isosurface();
+        if (state.rake.value === undefined) return html``;
         if (intent === null) {
             return html`<p class="quiet">This rake has no surface.</p>
                 ${this.several()}`;
@@ -163,16 +160,24 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
             <fieldset class="edits" ?disabled=${state.locked.value}>
                 <fieldset class="kinds">
                     <legend>Kind of surface</legend>
-                    ${surfaceKinds.map((kind) => this.kindChoice(kind, dataset))}
+                    ${kindsOfRakes.map((kind) => this.kindChoice(kind, dataset))}
                 </fieldset>
                 ${this.kindNote(intent, dataset)}
-                ${intent.kind === 'level' ? (this.level ??= new LevelRows(this.model)).rows() : this.followedRows(intent, dataset)}
+                ${this.followedRows(intent, dataset)}
                 <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
                 <wakesurf-mesh-rules .model=${this.model}></wakesurf-mesh-rules>
                 <wakesurf-twin .model=${this.model}></wakesurf-twin>
             </fieldset>
             ${this.several()}
         `;
+    }
+
+    private isosurface(): TemplateResult {
+        const { state, edits } = this.model;
+        return html`<fieldset class="edits" ?disabled=${state.locked.value}>
+            ${(this.level ??= new LevelRows(this.model)).rows()}
+            <p class="quiet" id="surface-remark" role="status" ?hidden=${edits.remark.value === null}>${edits.remark.value}</p>
+        </fieldset>`;
     }
 
     /** Returns the rows of surfaces that follow particles. */
@@ -240,12 +245,12 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
             return grid === 'analytic'
                 ? nothing
                 : note(
-                      `The data have one time, ${this.time(times[0] ?? from)}: only stream surfaces and level sets can be shown.`,
+                      `The data have one time, ${this.time(times[0] ?? from)}: only stream surfaces and isosurfaces can be shown.`,
                   );
         }
         const stream = this.model.state.suggestion.value?.surfaces.find((each) => each.kind === 'stream');
         const [lasting, usual] = [times.at(-1)! - times[0]!, stream === undefined ? 0 : stream.to - stream.from];
-        return kind === 'level' || usual * leastLasting <= lasting
+        return usual * leastLasting <= lasting
             ? nothing
             : note(
                   `The data last ${this.duration(lasting)}, and the fluid takes ${this.duration(usual)} to pass: surfaces that move stay short.`,
@@ -270,8 +275,8 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         const active = state.activeSurface.value;
         const own = surfacesOf(state, rake).map((id) => state.surfaces.value.get(id)!);
         const locked = state.locked.value;
-        const { hiddenSurfaces } = view.visibility.value;
-        const isHidden = hiddenSurfaces.has(active ?? '');
+        const { hidden } = view.visibility.value;
+        const isHidden = hidden.has(active ?? '');
         const choose = (event: Event): void => edits.chooseSurface((event.target as HTMLSelectElement).value);
         return html`<div class="several" role="group" aria-label="Surfaces of this rake">
             ${
@@ -294,7 +299,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                           id="hide-surface"
                           aria-pressed=${isHidden ? 'true' : 'false'}
                           title="Hide this surface on this page; the rake stays"
-                          @click=${() => view.changeVisibility({ hiddenSurfaces: toggled(hiddenSurfaces, active) })}
+                          @click=${() => view.changeVisibility({ hidden: toggled(hidden, active) })}
                       >
                           Hide
                       </button>`
@@ -331,10 +336,9 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
         return withUnit(shortNumber(value), this.model.view.units.value.length);
     }
 
-    private kindChoice(kind: SurfaceKind, { times, steady, points }: DatasetDescription): TemplateResult {
+    private kindChoice(kind: SurfaceKind, { times, steady }: DatasetDescription): TemplateResult {
         const { edits, state } = this.model;
-        // A formula has no nodes.
-        const still = kind === 'level' ? points === 0 : kind !== 'stream' && times.length < 2 && !steady;
+        const still = kind !== 'stream' && times.length < 2 && !steady;
         const disabled = still || !state.capabilities.value.includes(kind);
         return html`<label class="kind">
             <input

@@ -1,0 +1,36 @@
+// Keeps what this page has chosen and shows alone in step with the records: what is gone is neither chosen nor shown alone any more, and
+// a rake or surface that is chosen takes the panel from a slice or the body. Shows the body as this page wants it.
+import { effect, untracked } from '@preact/signals-core';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import { bodyId, opacityOf, shows } from '../../state/pageView.ts';
+import { newSlice, type ViewState } from '../../state/viewState.ts';
+
+export interface ChosenThingsOptions {
+    state: Pick<AppState, 'activeRake' | 'activeSurface' | 'dataset' | 'rakes' | 'slices' | 'surfaces'>;
+    view: Pick<ViewState, 'changeVisibility' | 'chosenThing' | 'visibility'>;
+    scene: { body: Pick<FlowScene['body'], 'setOpacity'>; loop: Pick<FlowScene['loop'], 'request'> };
+}
+
+/** For as long as the page lives. */
+export function connectChosenThings({ state, view, scene }: ChosenThingsOptions): void {
+    effect(() => {
+        void [state.activeRake.value, state.activeSurface.value];
+        untracked(() => (view.chosenThing.value = null));
+    });
+    effect(() => {
+        const visibility = view.visibility.value;
+        scene.body.setOpacity(shows(visibility, bodyId) ? opacityOf(visibility, bodyId) : 0);
+        scene.loop.request();
+    });
+    // Only what was there can be gone: a link is read before the records are here.
+    const seen = new Set<string>();
+    effect(() => {
+        const there = new Set([...state.rakes.value.keys(), ...state.surfaces.value.keys(), ...state.slices.value.keys()]);
+        if (state.dataset.value?.obstacle === true) there.add(bodyId);
+        const isGone = (id: string | null): boolean => id !== null && id !== newSlice && seen.has(id) && !there.has(id);
+        for (const id of there) seen.add(id);
+        if (isGone(view.chosenThing.value)) view.chosenThing.value = null;
+        if (isGone(view.visibility.value.only)) untracked(() => view.changeVisibility({ only: null }));
+    });
+}
