@@ -36,6 +36,7 @@ import type { SessionHeadModel } from './sessions/sessionHead.ts';
 import './surface/surfacePanel.ts';
 import type { SurfaceModel } from './surface/surfacePanel.ts';
 import type { MeansModel } from './slices/meansPanel.ts';
+import type { LinesModel } from './lines/linesPanel.ts';
 import type { SlicesModel } from './slices/slicesPanel.ts';
 import './view/surroundingsPanel.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
@@ -94,6 +95,8 @@ export interface PanelModel {
     rake: RakeModel;
     /** Null: not loaded yet. */
     slices: ReadonlySignal<SlicesModel | null>;
+    /** Likewise. */
+    lines: ReadonlySignal<LinesModel | null>;
     means: MeansModel;
     look: LookModel;
     bookmarks: BookmarksModel;
@@ -130,6 +133,10 @@ const tabs: readonly Tab[] = [
             <section aria-labelledby="slices-head">
                 <h2 id="slices-head">Slices</h2>
                 ${model.slices.value === null ? nothing : html`<wakesurf-slices .model=${model.slices.value}></wakesurf-slices>`}
+            </section>
+            <section aria-labelledby="lines-head">
+                <h2 id="lines-head">Streamlines</h2>
+                ${model.lines.value === null ? nothing : html`<wakesurf-lines .model=${model.lines.value}></wakesurf-lines>`}
             </section>
             <section aria-labelledby="means-head" ?hidden=${(model.state.dataset.value?.times.length ?? 0) < 2}>
                 <details id="means">

@@ -47,7 +47,8 @@ export interface FilmOptions {
     edits: Pick<Edits, 'intent' | 'gestures'>;
     playback: Playback;
     bodyFields: Pick<BodyFields, 'status'>;
-    slices: { waiting: ReadonlySignal<boolean> };
+    /** Slices and lines. */
+    fieldsShown: { waiting: ReadonlySignal<boolean> };
     figure: Figure;
 }
 
@@ -148,7 +149,7 @@ export class FilmMaker {
     }
 
     private async show(time: number): Promise<void> {
-        const { playback, worker, state, bodyFields, slices } = this.options;
+        const { playback, worker, state, bodyFields, fieldsShown } = this.options;
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
         else playback.release(time, this.options.edits.gestures.current);
@@ -159,7 +160,7 @@ export class FilmMaker {
         try {
             await this.until(() => {
                 const surfaces = moving ? this.surfacesAt(time) : ['final', 'empty', 'hidden'].includes(state.phase.value);
-                return bodyFields.status.value !== 'waiting' && !slices.waiting.value && surfaces;
+                return bodyFields.status.value !== 'waiting' && !fieldsShown.waiting.value && surfaces;
             });
         } finally {
             clearInterval(retry);

@@ -1,6 +1,6 @@
 // Slices of the session: their records in the picture, at the time of the picture, and the edits of this page, which are drawn before the
 // server has answered. Loaded after the first picture.
-import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
+import { effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
 import type { SliceRecord, Vec3 } from '../../protocol/messages.ts';
 import { type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -8,10 +8,12 @@ import { SliceLayer } from '../../scene/slices/sliceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { putInto } from '../base/mapSignal.ts';
 import type { Edits } from '../edits/edits.ts';
 import { RecordDrafts } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
 import { FieldColours, type FieldMeaning } from './fieldColours.ts';
+import { onOtherData } from './newestValues.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
@@ -53,7 +55,7 @@ export class Slices {
             fetch: (path, init) => server.fetch(path, init),
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
             arrived: (id, raster, wish) => this.arrived(id, raster, wish),
-            told: (id, fault) => this.tell(id, fault),
+            told: (id, fault) => putInto(this.faults, id, fault),
             changed: () => (this.waiting.value = this.values.unfinished),
         });
         this.drafts = new RecordDrafts<SliceRecord, SlicePlace>({
@@ -66,12 +68,7 @@ export class Slices {
         });
         this.places = this.drafts.places;
         effect(() => this.wishAll());
-        // What could not be had may be there now, or be other values.
-        const data = computed(() => JSON.stringify([state.datasetEntry.value?.values, state.datasetEntry.value?.steps.ready]));
-        effect(() => {
-            void data.value;
-            if (state.stage.value === 'running') untracked(() => this.values.again());
-        });
+        onOtherData(state, () => this.values.again());
         effect(() => {
             void this.contours.value;
             untracked(() => this.rasters.forEach((raster, id) => this.draw(id, raster)));
@@ -109,7 +106,7 @@ export class Slices {
         this.values.remove(id);
         this.layer.remove(id);
         this.rasters.delete(id);
-        this.tell(id, null);
+        putInto(this.faults, id, null);
         this.colours.forget(id);
         this.options.scene.loop.request();
     }
@@ -125,7 +122,7 @@ export class Slices {
         }
         this.draw(id, raster);
         const lacks = raster.inFlow === 0 ? 'This plane meets only bodies.' : `${field} has no values here at this time.`;
-        this.tell(id, usual === null ? lacks : null);
+        putInto(this.faults, id, usual === null ? lacks : null);
     }
 
     private draw(id: string, raster: SliceRaster): void {
@@ -133,14 +130,6 @@ export class Slices {
         const seen = meaning !== undefined && usualRange(raster) !== null;
         this.layer.set(id, raster, seen ? { ...meaning, contours: this.contours.peek() } : null);
         this.options.scene.loop.request();
-    }
-
-    private tell(id: string, fault: string | null): void {
-        if ((this.faults.peek().get(id) ?? null) === fault) return;
-        const faults = new Map(this.faults.peek());
-        if (fault === null) faults.delete(id);
-        else faults.set(id, fault);
-        this.faults.value = faults;
     }
 }
 

@@ -1,0 +1,134 @@
+// Streamlines of their own: which sets there are, and new ones.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import { signal } from '@preact/signals-core';
+import type { Vec3 } from '../../protocol/messages.ts';
+import { Lines } from '../../session/picture/linesInPicture.ts';
+import type { AppState } from '../../state/appState.ts';
+import { sliderRow } from '../base/rows.ts';
+import { ModelElement } from '../base/signalElement.ts';
+import { aboutPoint, acrossAxis, alongRake, type Bounds, offWalls, type SeedsPlace, seedsWords } from './linesPlaces.ts';
+import { linesSettings } from './linesSettings.ts';
+
+/** Loaded with the panel, after the first picture. */
+export { Lines };
+
+export interface LinesModel {
+    state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'lines'>;
+    lines: Lines;
+    /** Returns the place that the camera looks at. */
+    middle: () => Vec3;
+}
+
+export class LinesPanel extends ModelElement<LinesModel> {
+    private readonly chosen = signal('');
+
+    static override styles = css`
+        .add {
+            display: flex;
+            flex-wrap: wrap;
+            gap: 6px;
+            align-items: center;
+        }
+        ul {
+            margin: 6px 0;
+        }
+        li {
+            display: grid;
+            grid-template-columns: minmax(0, 1fr) auto;
+            gap: 6px;
+            margin-top: 4px;
+        }
+        .go {
+            text-align: left;
+        }
+        .go[aria-pressed='true'] {
+            border-color: var(--accent);
+        }
+        .triple {
+            display: grid;
+            grid-template-columns: 4em repeat(3, minmax(0, 1fr));
+            gap: 6px;
+            align-items: center;
+            margin-top: 4px;
+        }
+    `;
+
+    override render(): TemplateResult {
+        const { state, lines } = this.model;
+        const dataset = state.dataset.value;
+        if (dataset === null) return html``;
+        const places = [...lines.places.value];
+        const locked = state.locked.value;
+        const [id, place] = places.find(([each]) => each === this.chosen.value) ?? places[0] ?? ['', null];
+        const said = lines.faults.value.get(id) ?? lines.told.value.get(id);
+        return html`
+            ${locked ? nothing : this.adding(dataset.bounds, dataset.obstacle)}
+            <ul aria-label="Streamlines">
+                ${places.map(([each, { field, ...seeds }]) => this.row(each, each === id, `${field}, ${seedsWords(seeds)}`, locked))}
+            </ul>
+            ${said === undefined ? nothing : html`<p role="status" class="quiet" id="lines-told">${said}</p>`}
+            ${
+                place === null || locked
+                    ? nothing
+                    : linesSettings({
+                          ...{ place, dataset, meaning: lines.meanings.value.get(id) },
+                          change: (change) => lines.change(id, change),
+                      })
+            }
+            ${
+                place === null
+                    ? nothing
+                    : sliderRow({
+                          ...{ id: 'lines-width', words: 'Width', value: lines.width.value, low: 1, high: 8, step: 0.5 },
+                          shown: `${lines.width.value} px`,
+                          change: (value) => (lines.width.value = value),
+                      })
+            }
+        `;
+    }
+
+    private adding(bounds: Bounds, walls: boolean): TemplateResult {
+        const { state, middle } = this.model;
+        const rake = state.rakePoints.value;
+        const button = (id: string, words: string, title: string, of: () => SeedsPlace, disabled = false): TemplateResult =>
+            html`<button type="button" id=${`lines-${id}`} title=${title} ?disabled=${disabled} @click=${() => this.add(of())}>
+                ${words}
+            </button>`;
+        return html`<div class="add" role="group" aria-label="Add streamlines">
+            <span>Add from</span>
+            ${button('rake', 'rake', 'Seeds from one end of the active rake to the other', () => alongRake(rake), rake.length < 2)}
+            ${(['x', 'y', 'z'] as const).map((axis, k) =>
+                button(`plane-${axis}`, `plane ${axis}`, `Seeds all over a plane across ${axis}`, () =>
+                    acrossAxis(bounds, k as 0 | 1 | 2, middle()),
+                ),
+            )}
+            ${button('sphere', 'sphere', 'Seeds on a sphere about the middle of the picture', () => aboutPoint(bounds, middle()))}
+            ${walls ? button('walls', 'walls', 'Seeds all over the bodies, a little off them', () => offWalls(bounds)) : nothing}
+        </div>`;
+    }
+
+    private row(id: string, chosen: boolean, words: string, locked: boolean): TemplateResult {
+        return html`<li>
+            <button type="button" class="go cut" aria-pressed=${chosen} title=${words} @click=${() => (this.chosen.value = id)}>
+                ${words}
+            </button>
+            ${
+                locked
+                    ? nothing
+                    : html`<button type="button" aria-label=${`Delete the lines ${words}`} @click=${() => void this.model.lines.remove(id)}>
+                      ✕
+                  </button>`
+            }
+        </li>`;
+    }
+
+    private async add(seeds: SeedsPlace): Promise<void> {
+        const { state, lines } = this.model;
+        const shown = lines.places.value.get(this.chosen.value) ?? [...lines.places.value.values()][0];
+        const field = shown?.field ?? state.dataset.value!.velocity;
+        const made = await lines.add({ ...seeds, direction: 'both', duration: 0, length: 0, field, range: null });
+        if (made !== null) this.chosen.value = made;
+    }
+}
+
+customElements.define('wakesurf-lines', LinesPanel);
