@@ -13,7 +13,7 @@ namespace wakesurf::core {
 
 namespace {
 
-constexpr double gaps_in_domain = 400.0;
+constexpr double gaps_in_domain = 250.0;
 constexpr double turn_between = 3.0 * std::numbers::pi / 180.0;
 /// Attempts, after which a line ends: one that hops along a wall cell by cell makes no way.
 constexpr std::size_t steps_of_line = 50'000;

@@ -53,7 +53,7 @@ struct StreamLines {
     std::size_t lines() const { return seed.size(); }
 };
 
-/// Traces them. Two points of a line are at most a 400th of the domain's diagonal apart, and lie as close as a turn of 3 degrees needs.
+/// Traces them. Two points of a line are at most a 250th of the domain's diagonal apart, and lie as close as a turn of 3 degrees needs.
 /// Runs in parallel; the bytes do not depend on the number of threads.
 /// @param memory  is asked before it is taken. Error: OutOfTime, Cancelled, OverLimit, what reading reports.
 Result<StreamLines> trace_stream_lines(const StreamLinesRequest& request,

@@ -134,9 +134,9 @@ const tabs: readonly Tab[] = [
                 <h2 id="slices-head">Slices</h2>
                 ${model.slices.value === null ? nothing : html`<wakesurf-slices .model=${model.slices.value}></wakesurf-slices>`}
             </section>
-            <section aria-labelledby="lines-head">
-                <h2 id="lines-head">Streamlines</h2>
-                ${model.lines.value === null ? nothing : html`<wakesurf-lines .model=${model.lines.value}></wakesurf-lines>`}
+            <section aria-labelledby="streamlines-head">
+                <h2 id="streamlines-head">Streamlines</h2>
+                ${model.lines.value === null ? nothing : html`<wakesurf-streamlines .model=${model.lines.value}></wakesurf-streamlines>`}
             </section>
             <section aria-labelledby="means-head" ?hidden=${(model.state.dataset.value?.times.length ?? 0) < 2}>
                 <details id="means">

@@ -66,7 +66,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
             <ul aria-label="Streamlines">
                 ${places.map(([each, { field, ...seeds }]) => this.row(each, each === id, `${field}, ${seedsWords(seeds)}`, locked))}
             </ul>
-            ${said === undefined ? nothing : html`<p role="status" class="quiet" id="lines-told">${said}</p>`}
+            ${said === undefined ? nothing : html`<p role="status" class="quiet" id="streamlines-told">${said}</p>`}
             ${
                 place === null || locked
                     ? nothing
@@ -79,7 +79,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
                 place === null
                     ? nothing
                     : sliderRow({
-                          ...{ id: 'lines-width', words: 'Width', value: lines.width.value, low: 1, high: 8, step: 0.5 },
+                          ...{ id: 'streamlines-width', words: 'Width', value: lines.width.value, low: 1, high: 8, step: 0.5 },
                           shown: `${lines.width.value} px`,
                           change: (value) => (lines.width.value = value),
                       })
@@ -91,7 +91,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
         const { state, middle } = this.model;
         const rake = state.rakePoints.value;
         const button = (id: string, words: string, title: string, of: () => SeedsPlace, disabled = false): TemplateResult =>
-            html`<button type="button" id=${`lines-${id}`} title=${title} ?disabled=${disabled} @click=${() => this.add(of())}>
+            html`<button type="button" id=${`streamlines-${id}`} title=${title} ?disabled=${disabled} @click=${() => this.add(of())}>
                 ${words}
             </button>`;
         return html`<div class="add" role="group" aria-label="Add streamlines">
@@ -131,4 +131,4 @@ export class LinesPanel extends ModelElement<LinesModel> {
     }
 }
 
-customElements.define('wakesurf-lines', LinesPanel);
+customElements.define('wakesurf-streamlines', LinesPanel);

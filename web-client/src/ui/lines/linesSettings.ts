@@ -38,13 +38,13 @@ export function linesSettings({ place, dataset, meaning, change }: LinesSettings
     }));
     const positive = (value: number): boolean => value > 0 && value <= diagonal;
     return html`
-        ${selectRow('lines-field', 'Field', choices, field, (name) => change({ field: name, range: null }))}
+        ${selectRow('streamlines-field', 'Field', choices, field, (name) => change({ field: name, range: null }))}
         ${sliderRow({
-            ...{ id: 'lines-seeds', words: 'Seeds', value: Math.log2(seeds), shown: String(seeds) },
+            ...{ id: 'streamlines-seeds', words: 'Seeds', value: Math.log2(seeds), shown: String(seeds) },
             ...{ low: 0, high: Math.log2(mostSeeds), step: 0.25 },
             change: (value) => change({ seeds: Math.round(2 ** value) }),
         })}
-        ${selectRow('lines-direction', 'Direction', directions, direction, (value) => change({ direction: value }))}
+        ${selectRow('streamlines-direction', 'Direction', directions, direction, (value) => change({ direction: value }))}
         ${pointNames[kind].map(
             (name, i) =>
                 html`<div class="triple" role="group" aria-label=${`Seeds: ${name}`}>
@@ -60,7 +60,7 @@ export function linesSettings({ place, dataset, meaning, change }: LinesSettings
         ${
             kind === 'sphere' || kind === 'walls'
                 ? numberRow(kind === 'sphere' ? 'Radius' : 'Off the walls', {
-                      ...{ id: 'lines-distance', shown: fieldNumber(distance, resolution) },
+                      ...{ id: 'streamlines-distance', shown: fieldNumber(distance, resolution) },
                       change: (value) => {
                           if (positive(value)) change({ distance: value });
                           return positive(value);
@@ -68,13 +68,13 @@ export function linesSettings({ place, dataset, meaning, change }: LinesSettings
                   })
                 : nothing
         }
-        ${endRow('lines-length', 'Longest', `length of a line each way; 0: ${fieldNumber(2 * diagonal, resolution)}`, length, (value) => change({ length: value }))}
-        ${endRow('lines-duration', 'Time of flight', 'each way; 0: as long as it takes', duration, (value) => change({ duration: value }))}
+        ${endRow('streamlines-length', 'Longest', `length of a line each way; 0: ${fieldNumber(2 * diagonal, resolution)}`, length, (value) => change({ length: value }))}
+        ${endRow('streamlines-duration', 'Time of flight', 'each way; 0: as long as it takes', duration, (value) => change({ duration: value }))}
         ${
             meaning === undefined
                 ? nothing
-                : html`${checkRow('Own range of colours', range !== null, (on) => change({ range: on ? meaning.range : null }), { id: 'lines-range' })}
-                  ${range === null ? nothing : pairRow('lines-colours', 'Colours', range, (pair) => change({ range: pair }))}`
+                : html`${checkRow('Own range of colours', range !== null, (on) => change({ range: on ? meaning.range : null }), { id: 'streamlines-range' })}
+                  ${range === null ? nothing : pairRow('streamlines-colours', 'Colours', range, (pair) => change({ range: pair }))}`
         }
     `;
 }
