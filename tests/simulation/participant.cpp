@@ -25,7 +25,7 @@ bool expected(int code) {
 
 Participant::Records records_of(const json& snapshot) {
     Participant::Records records;
-    for (const std::string type : {"rake", "surface", "slice", "bookmark", "annotation"})
+    for (const std::string type : {"rake", "surface", "slice", "lines", "bookmark", "annotation"})
         for (const json& record : snapshot[type + "s"])
             records[{type, record[type]}] = record; // its id is the member called like its type
     records[{"clock", "clock"}] = snapshot["clock"];
