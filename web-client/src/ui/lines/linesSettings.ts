@@ -25,7 +25,7 @@ const directions = [
 /** What the points of each kind are. */
 const pointNames = { line: ['Start', 'End'], plane: ['Corner', 'Beside', 'Above'], sphere: ['Centre'], walls: [] } as const;
 
-/** The slider of seeds goes by doublings. */
+/** Of one set; the slider of seeds goes by doublings. */
 export function linesSettings({ place, dataset, meaning, change }: LinesSettings): TemplateResult {
     const { kind, points, distance, seeds, direction, length, duration, field, range } = place;
     const bounds = dataset.bounds as unknown as Bounds;
