@@ -1,6 +1,9 @@
 #include "server/data/dataset_lines.hpp"
 
+#include "core/base/rounding.hpp"
 #include "server/data/obstacle_mesh.hpp"
+
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <vector>
@@ -11,6 +14,27 @@ namespace {
 
 /// Of a wall's vertex, with its cells and what it is made from, in bytes.
 constexpr std::size_t wall_bytes = 120;
+
+/// Returns whether a cell lies in a side of the domain with no fluid at it: it closes the solid nodes of a body that goes on beyond. The floor
+/// of a channel has fluid at it.
+bool closes_at_side(const core::QuadComplex& mesh, const core::Cell& cell, const core::Flow& flow) {
+    const auto at = [&](std::size_t i) { return mesh.position[cell.corner[i]]; };
+    const core::Vec3 middle = 0.25 * (at(0) + at(1) + at(2) + at(3));
+    const core::Box box = flow.domain();
+    const core::Vec3 slack = core::rounding(box);
+    if (glm::all(glm::greaterThan(middle, box.lo + slack)) &&
+        glm::all(glm::lessThan(middle, box.hi - slack)))
+        return false;
+    const core::Vec3 across = glm::cross(at(2) - at(0), at(3) - at(1));
+    const double length = glm::length(across);
+    if (!(length > 0.0))
+        return true;
+    for (const double distance : {-1.0, -0.5, 0.5, 1.0})
+        if (flow.status(middle + distance * flow.finest_spacing() / length * across) ==
+            core::PointStatus::Inside)
+            return false;
+    return true;
+}
 
 /// Returns places in the fluid off the walls; what closes bodies at the sides of the domain is none of them.
 core::Result<std::vector<core::Vec3>> places_off_walls(const core::LineSeeds& seeds,
@@ -26,7 +50,8 @@ core::Result<std::vector<core::Vec3>> places_off_walls(const core::LineSeeds& se
         return tl::unexpected(memory.refusal());
     std::erase_if(mesh.cells, [&](const core::Cell& cell) {
         return std::any_of(cell.corner.begin(), cell.corner.end(),
-                           [&](core::VertexId corner) { return corner >= obstacle->walls; });
+                           [&](core::VertexId corner) { return corner >= obstacle->walls; }) ||
+               closes_at_side(mesh, cell, *dataset.flow);
     });
     const auto on_wall = core::even_wall_places(mesh, seeds.seeds, stop);
     memory.shrink(bytes);

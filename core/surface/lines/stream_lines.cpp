@@ -1,5 +1,6 @@
 #include "core/surface/lines/stream_lines.hpp"
 
+#include "core/base/rounding.hpp"
 #include "core/field/flow_samples.hpp"
 #include "core/field/time_in_data.hpp"
 #include "core/surface/request/surface_plan.hpp"
@@ -209,11 +210,14 @@ Result<void> add_values(const StreamLinesRequest& request,
         std::vector<Vec3> places;
         std::vector<std::size_t> which;
         const std::size_t end = std::min(begin + sampled_together, lines.points.size());
-        for (std::size_t i = begin; i < end; ++i)
-            if (flow.status(lines.points[i]) == PointStatus::Inside) {
-                places.push_back(lines.points[i]);
+        for (std::size_t i = begin; i < end; ++i) {
+            // Lines end on faces but for rounding.
+            const Vec3 place = onto_faces(lines.points[i], flow.domain());
+            if (flow.status(place) == PointStatus::Inside) {
+                places.push_back(place);
                 which.push_back(i);
             }
+        }
         const auto values = sample_field(request.field, flow, places, request.time, stop);
         if (!values)
             return tl::unexpected(values.error());

@@ -54,6 +54,8 @@ TEST(StreamLines, GoBothWaysFromTheirSeedAndEndAtTheDomain) {
     EXPECT_NEAR(lines.points.front().x, box.lo.x, 1e-6);
     EXPECT_NEAR(lines.points.back().x, box.hi.x, 1e-6);
     EXPECT_EQ(lines.ends.domain, 2u);
+    for (const float value : lines.values)
+        EXPECT_NEAR(value, 1.0, 1e-6) << "at the border too";
     EXPECT_LT(lines.times.front(), 0.0F);
     EXPECT_GT(lines.times.back(), 0.0F);
 }

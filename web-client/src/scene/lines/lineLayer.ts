@@ -86,14 +86,14 @@ varying vec2 values;
 void main() {
     vec2 here = place / weight;
     float along = clamp(here.x, 0.0, reach);
-    float off = length(vec2(here.x - along, here.y));
-    if (off > 1.0) discard;
+    // Round ends close what is open between two pieces at an angle.
+    if (length(vec2(here.x - along, here.y)) > 1.0) discard;
     vec3 colour = vec3(0.5);
     if (max(abs(values.x), abs(values.y)) < ${(unknown / 2).toExponential()}) {
         float t = scale.x * mix(values.x, values.y, reach > 0.0 ? along / reach : 0.0) + scale.y;
         colour = texture2D(table, vec2((clamp(t, 0.0, 1.0) * ${tableSize - 1}.0 + 0.5) / ${tableSize}.0, 0.5)).rgb;
     }
-    gl_FragColor = vec4(colour * mix(0.35, 1.0, sqrt(1.0 - off * off)), 1.0);
+    gl_FragColor = vec4(colour * mix(0.35, 1.0, sqrt(max(0.0, 1.0 - here.y * here.y))), 1.0);
     #include <colorspace_fragment>
 }
 `;
