@@ -1,6 +1,7 @@
 #include "protocol/api/session_file.hpp"
 
 #include "protocol/api/base/json_text.hpp"
+#include "protocol/api/plural.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -108,7 +109,7 @@ json session_file_json(const SessionFile& file) {
         if (each.type == "clock")
             records["clock"] = std::move(record);
         else
-            records[each.type + "s"].push_back(std::move(record));
+            records[plural_of(each.type)].push_back(std::move(record));
     }
     json datasets = json::array();
     for (const DatasetMark& each : file.datasets)

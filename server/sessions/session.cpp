@@ -2,6 +2,7 @@
 
 #include "core/base/plain_text.hpp"
 #include "core/surface/rake.hpp"
+#include "protocol/api/plural.hpp"
 #include "server/base/limits.hpp"
 #include "server/live/compute/budgets.hpp"
 #include "server/sessions/records/record_room.hpp"
@@ -201,7 +202,7 @@ core::Result<void> Session::may_put(const RecordKey& key, bool is_new) const {
         return {};
     return core::over_limit(most,
                             "a session may have at most " + std::to_string(most) + " " +
-                                std::string(server::name(key.type)) + "s",
+                                protocol::plural_of(server::name(key.type)),
                             "delete some, or use another session");
 }
 
