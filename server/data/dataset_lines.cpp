@@ -84,7 +84,13 @@ core::Result<core::StreamLines> dataset_lines(const core::LineSeeds& seeds,
                             : core::Result<std::vector<core::Vec3>>(core::line_seed_places(seeds));
     if (!places)
         return tl::unexpected(places.error());
-    return core::trace_stream_lines(request, *dataset.flow, *places, memory, stop);
+    return core::trace_stream_lines(request, *dataset.flow, *places, memory, stop)
+        .map_error([](core::Error error) {
+            if (error.code == core::Error::Code::OverLimit)
+                error.hint =
+                    "ask for fewer seeds or shorter lines, or give the process more --memory";
+            return error;
+        });
 }
 
 } // namespace wakesurf::server

@@ -18,8 +18,10 @@ constexpr double gaps_in_domain = 250.0;
 constexpr double turn_between = 3.0 * std::numbers::pi / 180.0;
 /// Attempts, after which a line ends: one that hops along a wall cell by cell makes no way.
 constexpr std::size_t steps_of_line = 50'000;
+/// Shares of the points that a curve may have at first: others need less than theirs.
+constexpr std::size_t shares_of_curve = 4;
 /// Points whose values are sampled together.
-constexpr std::size_t sampled_together = std::size_t{1} << 16;
+constexpr std::size_t sampled_together = std::size_t{1} << 14;
 /// Of each of them, besides its value: as of slices.
 constexpr std::size_t sample_bytes = 1200;
 
@@ -37,6 +39,7 @@ class Thinning {
   public:
     std::vector<LinePoint> points; ///< behind the seed
     bool cut = false;              ///< at the most points
+    CurveEnd end = CurveEnd::Running;
 
     void begin(const Vec3& seed) { here_ = seed; }
 
@@ -120,24 +123,41 @@ class Thinning {
     bool pending_ = false; ///< `here_` is not kept yet
 };
 
-void count(const Curve& curve, bool cut, LineEnds& ends) {
-    switch (curve.end) {
-    case CurveEnd::Domain:
-        ++ends.domain;
-        break;
-    case CurveEnd::Obstacle:
-        ++ends.wall;
-        break;
-    case CurveEnd::Stagnation:
-        ++ends.rest;
-        break;
-    case CurveEnd::Budget:
+void count(const Thinning& curve, LineEnds& ends) {
+    if (curve.cut || curve.end == CurveEnd::Budget)
         ++ends.cut;
-        break;
-    case CurveEnd::Time:
-    case CurveEnd::Running:
-        ++(cut ? ends.cut : ends.limit);
+    else if (curve.end == CurveEnd::Domain)
+        ++ends.domain;
+    else if (curve.end == CurveEnd::Obstacle)
+        ++ends.wall;
+    else if (curve.end == CurveEnd::Stagnation)
+        ++ends.rest;
+    else
+        ++ends.limit;
+}
+
+/// Cuts the longest curves, all at one number of points, so that there are at most so many of all.
+void cut_longest(std::span<std::vector<Thinning>* const> curves, std::size_t most) {
+    std::vector<std::size_t> counts;
+    for (const auto* each : curves)
+        for (const Thinning& curve : *each)
+            counts.push_back(curve.points.size());
+    std::sort(counts.begin(), counts.end());
+    std::size_t left = most;
+    std::size_t longest = std::numeric_limits<std::size_t>::max();
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] > left / (counts.size() - i)) {
+            longest = std::max<std::size_t>(1, left / (counts.size() - i));
+            break;
+        }
+        left -= counts[i];
     }
+    for (auto* each : curves)
+        for (Thinning& curve : *each)
+            if (curve.points.size() > longest) {
+                curve.points.resize(longest);
+                curve.cut = true;
+            }
 }
 
 /// Places all over the domain, none on its faces, and some seeds: how fast the flow is.
@@ -161,8 +181,7 @@ Result<std::vector<Thinning>> trace_one_way(const StreamLinesRequest& request,
                                             const Flow& flow,
                                             std::span<const Vec3> seeds,
                                             WorkMemory& memory,
-                                            const std::stop_token& stop,
-                                            LineEnds& ends) {
+                                            const std::stop_token& stop) {
     std::vector<Curve> curves(seeds.size());
     std::vector<Thinning> out(seeds.size());
     for (std::size_t i = 0; i < seeds.size(); ++i) {
@@ -183,7 +202,7 @@ Result<std::vector<Thinning>> trace_one_way(const StreamLinesRequest& request,
         return tl::unexpected(traced.error());
     for (std::size_t i = 0; i < curves.size(); ++i) {
         out[i].finish(most, memory);
-        count(curves[i], out[i].cut, ends);
+        out[i].end = curves[i].end;
     }
     if (memory.exhausted())
         return tl::unexpected(memory.refusal());
@@ -259,7 +278,7 @@ Result<StreamLines> trace_stream_lines(const StreamLinesRequest& asked,
     if (!samples)
         return tl::unexpected(samples.error());
     constexpr std::size_t curve_bytes = 2 * (sizeof(Curve) + sizeof(Thinning));
-    if (!memory.grow(inside.size() * curve_bytes + sampled_together * sample_bytes))
+    if (!memory.grow(inside.size() * curve_bytes))
         return tl::unexpected(memory.refusal());
     const SurfaceParameters usual;
     TraceOptions trace;
@@ -277,21 +296,31 @@ Result<StreamLines> trace_stream_lines(const StreamLinesRequest& asked,
         duration = trace.stagnation_speed > 0.0 ? 2.0 * length / trace.stagnation_speed : 1.0;
     const bool both = request.direction == Direction::Both;
     const std::size_t curves = std::max<std::size_t>(1, inside.size() * (both ? 2 : 1));
-    const std::size_t most = std::max<std::size_t>(2, request.most_points / curves);
+    const std::size_t most =
+        std::max<std::size_t>(2, shares_of_curve * request.most_points / curves);
     const auto one_way = [&](double sign, Direction not_of) -> Result<std::vector<Thinning>> {
         if (request.direction == not_of)
             return std::vector<Thinning>(inside.size());
         return trace_one_way(request, trace, sign * duration, length, most, flow, inside, memory,
-                             stop, lines.ends);
+                             stop);
     };
-    const auto back = one_way(-1.0, Direction::Forward);
+    auto back = one_way(-1.0, Direction::Forward);
     if (!back)
         return tl::unexpected(back.error());
-    const auto forth = one_way(1.0, Direction::Backward);
+    auto forth = one_way(1.0, Direction::Backward);
     if (!forth)
         return tl::unexpected(forth.error());
-    for (std::size_t i = 0; i < inside.size(); ++i)
+    const std::array ways{&*back, &*forth};
+    cut_longest(ways, std::max(request.most_points, inside.size()) - inside.size());
+    for (std::size_t i = 0; i < inside.size(); ++i) {
         append((*back)[i], (*forth)[i], inside[i], lines);
+        if (request.direction != Direction::Forward)
+            count((*back)[i], lines.ends);
+        if (request.direction != Direction::Backward)
+            count((*forth)[i], lines.ends);
+    }
+    if (!memory.grow(std::min(lines.points.size(), sampled_together) * sample_bytes))
+        return tl::unexpected(memory.refusal());
     if (auto valued = add_values(request, flow, stop, lines); !valued)
         return tl::unexpected(valued.error());
     return lines;

@@ -24,7 +24,7 @@ struct StreamLinesRequest {
     double time = 0.0;     ///< of no meaning in a flow that stands still
     double duration = 0.0; ///< time of flight each way; 0: as long as it takes
     double length = 0.0;   ///< arc length each way; 0: lengths_in_domain of the domain's diagonal
-    std::size_t most_points = 1'000'000; ///< of all lines; each has an equal part of them
+    std::size_t most_points = 1'000'000; ///< of all lines; the longest are cut
 };
 
 /// A line that goes round for ever ends after so many diagonals of the domain.
