@@ -6,14 +6,14 @@ import { Lines } from '../../session/picture/linesInPicture.ts';
 import type { AppState } from '../../state/appState.ts';
 import { sliderRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { aboutPoint, acrossAxis, alongRake, type Bounds, offWalls, type SeedsPlace, seedsWords } from './linesPlaces.ts';
+import { aboutPoint, acrossAxis, alongRake, type Bounds, inPlane, offWalls, type SeedsPlace, seedsWords } from './linesPlaces.ts';
 import { linesSettings } from './linesSettings.ts';
 
 /** Loaded with the panel, after the first picture. */
 export { Lines };
 
 export interface LinesModel {
-    state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'lines'>;
+    state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'lines' | 'slices'>;
     lines: Lines;
     /** Returns the place that the camera looks at. */
     middle: () => Vec3;
@@ -90,6 +90,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
     private adding(bounds: Bounds, walls: boolean): TemplateResult {
         const { state, middle } = this.model;
         const rake = state.rakePoints.value;
+        const slice = [...state.slices.value.values()].at(-1);
         const button = (id: string, words: string, title: string, of: () => SeedsPlace, disabled = false): TemplateResult =>
             html`<button type="button" id=${`streamlines-${id}`} title=${title} ?disabled=${disabled} @click=${() => this.add(of())}>
                 ${words}
@@ -102,6 +103,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
                     acrossAxis(bounds, k as 0 | 1 | 2, middle()),
                 ),
             )}
+            ${slice === undefined ? nothing : button('slice', 'slice', 'Seeds all over the newest slice', () => inPlane(bounds, slice.origin, slice.normal))}
             ${button('sphere', 'sphere', 'Seeds on a sphere about the middle of the picture', () => aboutPoint(bounds, middle()))}
             ${walls ? button('walls', 'walls', 'Seeds all over the bodies, a little off them', () => offWalls(bounds)) : nothing}
         </div>`;

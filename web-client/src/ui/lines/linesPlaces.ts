@@ -30,9 +30,26 @@ export function acrossAxis(bounds: Bounds, axis: 0 | 1 | 2, through: Vec3): Seed
     return { kind: 'plane', points: [corner(0, 0), corner(1, 0), corner(0, 1)], distance: 0, seeds: 2 * usualSeeds };
 }
 
+/** About a point of any plane, as wide as a half of the shortest side of the domain. */
+export function inPlane(bounds: Bounds, origin: Vec3, normal: Vec3): SeedsPlace {
+    const axis = normal.findIndex((_, k) => normal.every((each, i) => (i === k) === (each !== 0)));
+    if (axis >= 0) return acrossAxis(bounds, axis as 0 | 1 | 2, origin);
+    const size = 0.5 * shortestOf(bounds);
+    const least = [0, 1, 2].reduce((found, k) => (Math.abs(normal[k]!) < Math.abs(normal[found]!) ? k : found), 0);
+    const u = unit(cross(normal, [0, 1, 2].map((k) => (k === least ? 1 : 0)) as unknown as Vec3));
+    const v = unit(cross(normal, u));
+    const corner = (s: number, t: number): Vec3 =>
+        origin.map((each, k) => each + size * (s * u[k]! + t * v[k]!)) as unknown as Vec3;
+    return {
+        kind: 'plane',
+        points: [corner(-0.5, -0.5), corner(0.5, -0.5), corner(-0.5, 0.5)],
+        distance: 0,
+        seeds: 2 * usualSeeds,
+    };
+}
+
 export function aboutPoint(bounds: Bounds, centre: Vec3): SeedsPlace {
-    const shortest = Math.min(...[0, 1, 2].map((k) => bounds[2 * k + 1]! - bounds[2 * k]!));
-    return { kind: 'sphere', points: [within(bounds, centre)], distance: rounded(0.15 * shortest), seeds: usualSeeds };
+    return { kind: 'sphere', points: [within(bounds, centre)], distance: rounded(0.15 * shortestOf(bounds)), seeds: usualSeeds };
 }
 
 export function offWalls(bounds: Bounds): SeedsPlace {
@@ -58,6 +75,19 @@ export function seedsWords({ kind, points, distance, seeds }: SeedsPlace): strin
 function axisWords(points: readonly Vec3[]): string {
     const along = [0, 1, 2].filter((k) => points.every((each) => each[k] === points[0]![k]));
     return along.length === 1 ? `, ${'xyz'[along[0]!]!} = ${shortNumber(points[0]![along[0]!]!)}` : '';
+}
+
+function shortestOf(bounds: Bounds): number {
+    return Math.min(...[0, 1, 2].map((k) => bounds[2 * k + 1]! - bounds[2 * k]!));
+}
+
+function cross(a: Vec3, b: Vec3): Vec3 {
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+function unit(of: Vec3): Vec3 {
+    const length = Math.hypot(...of) || 1;
+    return of.map((each) => each / length) as unknown as Vec3;
 }
 
 function within(bounds: Bounds, point: Vec3): Vec3 {

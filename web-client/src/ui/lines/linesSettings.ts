@@ -59,7 +59,7 @@ export function linesSettings({ place, dataset, meaning, change }: LinesSettings
         )}
         ${
             kind === 'sphere' || kind === 'walls'
-                ? numberRow(kind === 'sphere' ? 'Radius' : 'Off the walls', {
+                ? numberRow(kind === 'sphere' ? 'Radius' : 'Distance', {
                       ...{ id: 'streamlines-distance', shown: fieldNumber(distance, resolution) },
                       change: (value) => {
                           if (positive(value)) change({ distance: value });
