@@ -72,6 +72,7 @@ void members(Io& io, Of<Io, SessionHead>& of) {
     io.needed("nextAnnotation", of.next_annotation, {.lo = 1, .hi = most_whole});
     io.some("units", of.units);
     io.some("nextSlice", of.next_slice, {.lo = 1, .hi = most_whole}); // older sessions have none
+    io.some("nextLines", of.next_lines, {.lo = 1, .hi = most_whole});
 }
 
 namespace {
@@ -101,6 +102,7 @@ std::string record_text(const Record& record) {
 template std::string record_text(const RakeRecord&);
 template std::string record_text(const SurfaceRecord&);
 template std::string record_text(const SliceRecord&);
+template std::string record_text(const LinesRecord&);
 template std::string record_text(const BookmarkRecord&);
 template std::string record_text(const AnnotationRecord&);
 template std::string record_text(const ClockRecord&);
@@ -127,6 +129,10 @@ core::Result<SurfaceRecord> parse_surface(std::string_view text) {
 
 core::Result<SliceRecord> parse_slice(std::string_view text) {
     return parse<SliceRecord>(text);
+}
+
+core::Result<LinesRecord> parse_lines(std::string_view text) {
+    return parse<LinesRecord>(text);
 }
 
 core::Result<BookmarkRecord> parse_bookmark(std::string_view text) {

@@ -5,6 +5,7 @@
 #include "core/base/result.hpp"
 #include "protocol/api/generated/annotation.hpp"
 #include "protocol/api/generated/bookmark.hpp"
+#include "protocol/api/generated/lines.hpp"
 #include "protocol/api/generated/rake.hpp"
 #include "protocol/api/generated/slice.hpp"
 #include "protocol/api/generated/surface.hpp"
@@ -41,6 +42,7 @@ struct SessionHead {
     std::uint64_t next_annotation = 1;
     SessionUnits units{};
     std::uint64_t next_slice = 1;
+    std::uint64_t next_lines = 1;
 
     bool operator==(const SessionHead&) const = default;
 };
@@ -112,6 +114,7 @@ nlohmann::json units_json(const SessionUnits& units);
 core::Result<RakeRecord> parse_rake(std::string_view text);
 core::Result<SurfaceRecord> parse_surface(std::string_view text);
 core::Result<SliceRecord> parse_slice(std::string_view text);
+core::Result<LinesRecord> parse_lines(std::string_view text);
 core::Result<BookmarkRecord> parse_bookmark(std::string_view text);
 core::Result<AnnotationRecord> parse_annotation(std::string_view text);
 core::Result<ClockRecord> parse_clock(std::string_view text);

@@ -1,6 +1,7 @@
 #include "protocol/api/session_file.hpp"
 
 #include "protocol/api/base/json_text.hpp"
+#include "protocol/api/plural.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -17,10 +18,11 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 5> groups{{
+constexpr std::array<std::pair<const char*, const char*>, 6> groups{{
     {"rakes", "rake"},
     {"surfaces", "surface"},
     {"slices", "slice"},
+    {"lines", "lines"},
     {"bookmarks", "bookmark"},
     {"annotations", "annotation"},
 }};
@@ -71,7 +73,8 @@ core::Result<void> read_group(const json& records,
                               const char* type,
                               std::vector<FileRecord>& into) {
     const auto found = records.find(group);
-    if (found == records.end() && std::string_view(type) == "slice")
+    const bool newer = std::string_view(type) == "slice" || std::string_view(type) == "lines";
+    if (found == records.end() && newer)
         return {}; // of a version that had none
     if (found == records.end() || !found->is_array())
         return not_a_session_file(std::string("`records` lacks the list `") + group + "`");
@@ -106,7 +109,7 @@ json session_file_json(const SessionFile& file) {
         if (each.type == "clock")
             records["clock"] = std::move(record);
         else
-            records[each.type + "s"].push_back(std::move(record));
+            records[plural_of(each.type)].push_back(std::move(record));
     }
     json datasets = json::array();
     for (const DatasetMark& each : file.datasets)

@@ -1,5 +1,6 @@
 #include "protocol/files/slice_files.hpp"
 
+#include "protocol/files/csv_name.hpp"
 #include "protocol/files/mesh_vtp.hpp"
 
 #include <fmt/format.h>
@@ -20,14 +21,6 @@ std::vector<core::Vec3> places(const core::SliceRaster& raster) {
         for (std::size_t column = 0; column < raster.columns; ++column)
             out.push_back(raster.place(column, row));
     return out;
-}
-
-/// A name as a field of RFC 4180.
-std::string quoted(const std::string& name) {
-    std::string out = "\"";
-    for (const char c : name)
-        out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
 }
 
 } // namespace
@@ -57,7 +50,7 @@ std::string slice_csv(std::span<const NamedRaster> fields) {
     assert(!fields.empty());
     std::string out = "x,y,z";
     for (const NamedRaster& each : fields)
-        out += "," + quoted(each.name);
+        out += "," + csv_name(each.name);
     out += "\n";
     const std::vector<core::Vec3> at = places(fields.front().raster);
     for (std::size_t i = 0; i < at.size(); ++i) {

@@ -1,5 +1,7 @@
 #include "protocol/wire/slice_file.hpp"
 
+#include "protocol/wire/vector_bytes.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,16 +14,6 @@ namespace {
 
 constexpr std::array<std::uint8_t, 4> slice_magic{'W', 'S', 'L', 1};
 constexpr std::uint64_t most_samples = std::uint64_t{1} << 24;
-
-void append_vector(Bytes& out, const core::Vec3& v) {
-    for (int axis = 0; axis < 3; ++axis)
-        append(out, v[axis]);
-}
-
-core::Vec3 vector_at(std::span<const std::byte> bytes, std::size_t offset) {
-    return {number_at<double>(bytes, offset), number_at<double>(bytes, offset + 8),
-            number_at<double>(bytes, offset + 16)};
-}
 
 } // namespace
 

@@ -39,11 +39,12 @@ from .series import Series
 from .serve import Server, serve
 from .session import Session
 from .slice import Slice
+from .streamlines import Streamlines
 from .surface import Surface, Update
 from .view import Camera, Look, SurfaceLook
 
 __all__ = ["BrowserMissing", "Camera", "Cancelled", "Client", "Connection", "DatasetError", "InvalidParameters", "InvalidPoints", "InvalidRequest", "Leased", "Look",
            "Mesh", "MethodNotFound", "MissingParameter", "NoSuchArray", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
-           "PictureFailed", "Progress", "Rake", "Series", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Slice", "Stale",
+           "PictureFailed", "Progress", "Rake", "Series", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Slice", "Stale", "Streamlines",
            "Surface", "SurfaceLook", "Unauthenticated", "UnknownParameter", "Unreachable", "Update", "WaitTimeout",
            "WakesurfError", "__version__", "notifications", "numbers", "records", "serve", "write_series"]

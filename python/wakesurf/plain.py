@@ -66,3 +66,8 @@ def slices(points: Sequence[Sequence[float]]) -> Iterator[Sequence[Sequence[floa
             first, size = i, 0
         size += more
     yield points[first:]
+
+
+def point_text(point: Point, name: str) -> str:
+    """Writes a point or a direction as addresses have it: x,y,z."""
+    return ",".join(repr(float(each)) for each in plain(list(point), name))

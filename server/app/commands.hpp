@@ -161,6 +161,29 @@ void add_slice_options(CLI::App& command, SliceOptions& options);
 /// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
 int run_slice(const SliceOptions& options);
 
+// `wakesurf lines`: streamlines of a dataset at a time, as a file, without a server.
+
+/// Holds the options as given; run_lines checks the texts.
+struct LinesOptions {
+    std::string dataset;
+    std::string from; ///< where they are released
+    std::uint32_t seeds = 50;
+    std::string direction = "both";
+    double duration = 0.0;      ///< 0: as long as it takes
+    double length = 0.0;        ///< 0: twice the domain's diagonal
+    std::string field;          ///< empty: the speed
+    std::optional<double> time; ///< nothing: the last
+    std::string output;
+    std::uint64_t memory = 0; ///< 0: by the machine and the control group
+    std::string store;
+    command::SourceOptions taken;
+};
+
+void add_lines_options(CLI::App& command, LinesOptions& options);
+
+/// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
+int run_lines(const LinesOptions& options);
+
 // `wakesurf means`: makes and removes means over time of fields of a dataset, without a server.
 
 struct MeansOptions {

@@ -1,4 +1,5 @@
 #include "protocol/api/generated/names.hpp"
+#include "server/app/command_options.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/progress_line.hpp"
@@ -6,7 +7,6 @@
 #include "server/app/stop_tokens.hpp"
 #include "server/base/process_account.hpp"
 #include "server/data/family_making.hpp"
-#include "store/command/memory_size.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -189,16 +189,7 @@ void add_family_options(CLI::App& command, FamilyOptions& options) {
         .add_option("--length", options.length,
                     "How far a node is followed at most (default: ten diagonals of the domain)")
         ->check(CLI::PositiveNumber);
-    command
-        .add_option(
-            "--memory", options.memory,
-            "Memory for the process (default: 60 % of the memory of the machine or control group)")
-        ->transform(command::as_memory_size());
-    command.add_option("--threads", options.threads, "Number of threads (default: one per core)")
-        ->check(CLI::Range(1, 1024));
-    command.add_option("--store", options.store,
-                       "Folder for imported data (default: ~/.cache/wakesurf)");
-    command::add_source_options(command, options.taken);
+    add_process_options(command, options);
     for (const char* other : {"--name", "--from", "--plane", "--rake", "--scalar", "--time"})
         remove->excludes(command.get_option(other));
 }

@@ -159,6 +159,10 @@ int run(int argc, char** argv) {
     add_slice_options(*command("slice", "Write fields on a plane through a dataset to a file",
                                [&] { return run_slice(slice); }),
                       slice);
+    LinesOptions lines;
+    add_lines_options(*command("lines", "Write streamlines of a dataset to a file",
+                               [&] { return run_lines(lines); }),
+                      lines);
     MeansOptions means;
     add_means_options(*command("means",
                                "Make the mean and the rms over time of fields of a dataset, or "

@@ -1,10 +1,10 @@
+#include "server/app/command_options.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/progress_line.hpp"
 #include "server/app/stop_tokens.hpp"
 #include "server/base/process_account.hpp"
 #include "server/data/mean_making.hpp"
-#include "store/command/memory_size.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -109,16 +109,7 @@ void add_means_options(CLI::App& command, MeansOptions& options) {
     command.add_option("--label", options.label,
                        "Behind the names of the new fields, as in p_mean_late: letters, digits, "
                        "and _ - .");
-    command
-        .add_option(
-            "--memory", options.memory,
-            "Memory for the process (default: 60 % of the memory of the machine or control group)")
-        ->transform(command::as_memory_size());
-    command.add_option("--threads", options.threads, "Number of threads (default: one per core)")
-        ->check(CLI::Range(1, 1024));
-    command.add_option("--store", options.store,
-                       "Folder for imported data (default: ~/.cache/wakesurf)");
-    command::add_source_options(command, options.taken);
+    add_process_options(command, options);
     for (const char* other : {"--fields", "--from", "--to", "--period", "--phases", "--label"})
         remove->excludes(command.get_option(other));
 }

@@ -1,5 +1,6 @@
 #include "core/surface/measures/region.hpp"
 #include "protocol/files/slice_files.hpp"
+#include "server/app/command_options.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/output_files.hpp"
@@ -9,7 +10,6 @@
 #include "server/base/process_account.hpp"
 #include "server/data/node_fields.hpp"
 #include "server/data/region_text.hpp"
-#include "store/command/memory_size.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,20 +28,6 @@ namespace {
 
 /// The memory for a sample in each file, its text included, in bytes.
 constexpr std::size_t vts_bytes = 80, csv_bytes = 120;
-
-/// Says which time is taken where several are and none is chosen. Error: InvalidArgument where the data have no such time.
-Result<double> chosen_time(const SliceOptions& options, const LoadedDataset& dataset) {
-    const auto& times = dataset.info.times;
-    if (times.empty() || dataset.info.steady)
-        return options.time.value_or(times.empty() ? 0.0 : times.front());
-    if (options.time && !(*options.time >= times.front() && *options.time <= times.back()))
-        return fail(Error::Code::InvalidArgument,
-                    fmt::format("--time: {:g} is outside the data", *options.time),
-                    fmt::format("they have {:g} to {:g}", times.front(), times.back()));
-    if (!options.time && times.size() > 1)
-        tell(stderr, "wakesurf: without --time: {:g}, the last\n", times.back());
-    return options.time.value_or(times.back());
-}
 
 /// Samples every field on the same window.
 Result<std::vector<protocol::NamedRaster>> sample_fields(const SliceOptions& options,
@@ -85,7 +71,7 @@ Result<void> make(const SliceOptions& options, const std::stop_token& stop) {
         open_for_command(options.dataset, options.store, options.taken, process.account(), stop);
     if (!dataset)
         return tl::unexpected(dataset.error());
-    const auto time = chosen_time(options, *dataset);
+    const auto time = chosen_time(options.time, *dataset);
     if (!time)
         return tl::unexpected(time.error());
     const auto window = core::plane_window(plane, dataset->flow->domain());
@@ -117,11 +103,7 @@ Result<void> make(const SliceOptions& options, const std::stop_token& stop) {
 } // namespace
 
 void add_slice_options(CLI::App& command, SliceOptions& options) {
-    command
-        .add_option("DATASET", options.dataset,
-                    "A file or folder of simulation results, a store or a Zarr or the https:// "
-                    "address of one, or flow:NAME[?k=v,...]")
-        ->required();
+    add_dataset_argument(command, options.dataset);
     command
         .add_option("--plane", options.plane, "x,y,z:nx,ny,nz: a point of the plane and its normal")
         ->required();
@@ -136,14 +118,7 @@ void add_slice_options(CLI::App& command, SliceOptions& options) {
         ->check(CLI::Range(std::size_t{1}, limits::slice_samples))
         ->capture_default_str();
     command.add_option("-o,--output", options.output, "File to write: .vts or .csv")->required();
-    command
-        .add_option(
-            "--memory", options.memory,
-            "Memory for the process (default: 60 % of the memory of the machine or control group)")
-        ->transform(command::as_memory_size());
-    command.add_option("--store", options.store,
-                       "Folder for imported data (default: ~/.cache/wakesurf)");
-    command::add_source_options(command, options.taken);
+    add_process_options(command, options);
 }
 
 int run_slice(const SliceOptions& options) {

@@ -3,6 +3,7 @@
 #include "protocol/files/file_difference.hpp"
 #include "protocol/files/mesh_file.hpp"
 #include "protocol/files/recipe.hpp"
+#include "server/app/command_options.hpp"
 #include "server/app/command_output.hpp"
 #include "server/app/commands.hpp"
 #include "server/app/name_mapping.hpp"
@@ -14,7 +15,6 @@
 #include "server/live/animation_file.hpp"
 #include "server/live/surface_file.hpp"
 #include "server/net/static_files.hpp"
-#include "store/command/memory_size.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -238,16 +238,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options) {
     command.add_option("DATA", options.dataset,
                        "The data that it was made from, as for `wakesurf surface`; not needed for "
                        "a built-in flow");
-    command
-        .add_option(
-            "--memory", options.memory,
-            "Memory for the process (default: 60 % of the memory of the machine or control group)")
-        ->transform(command::as_memory_size());
-    command.add_option("--threads", options.threads, "Number of threads (default: one per core)")
-        ->check(CLI::Range(1, 1024));
-    command.add_option("--store", options.store,
-                       "Folder for imported data (default: ~/.cache/wakesurf)");
-    command::add_source_options(command, options.taken);
+    add_process_options(command, options);
 }
 
 int run_verify(const VerifyOptions& options) {

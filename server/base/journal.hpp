@@ -15,7 +15,7 @@ namespace wakesurf::server {
 /// Holds a record as it is now, or its deletion.
 struct JournalEntry {
     std::string
-        type; ///< `session`, `rake`, `surface`, `slice`, `bookmark`, `annotation`, `grant`, ...
+        type; ///< `session`, `rake`, `surface`, `slice`, `lines`, `bookmark`, `annotation`, `grant`, ...
     std::string id;
     /// JSON text; empty: deleted.
     std::optional<std::string> record;

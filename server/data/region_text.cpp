@@ -10,10 +10,7 @@
 
 namespace wakesurf::server {
 
-namespace {
-
-/// Reads x,y,z: three finite numbers.
-std::optional<core::Vec3> corner_of(std::string_view text) {
+std::optional<core::Vec3> point_of(std::string_view text) {
     core::Vec3 out;
     for (int axis = 0; axis < 3; ++axis) {
         const char* const end = text.data() + text.size();
@@ -27,8 +24,6 @@ std::optional<core::Vec3> corner_of(std::string_view text) {
     return out;
 }
 
-} // namespace
-
 core::Result<core::Region> parse_region(const std::string& text, const std::string& option) {
     const auto wrong = [&](const std::string& what) {
         return core::fail(core::Error::Code::InvalidArgument, option + ": " + what,
@@ -39,8 +34,8 @@ core::Result<core::Region> parse_region(const std::string& text, const std::stri
     const std::string kind = text.substr(0, first);
     if (second == std::string::npos || (kind != "plane" && kind != "box"))
         return wrong("'" + text + "' is neither plane:x,y,z:nx,ny,nz nor box:x,y,z:x,y,z");
-    const auto a = corner_of(std::string_view(text).substr(first + 1, second - first - 1));
-    const auto b = corner_of(std::string_view(text).substr(second + 1));
+    const auto a = point_of(std::string_view(text).substr(first + 1, second - first - 1));
+    const auto b = point_of(std::string_view(text).substr(second + 1));
     if (!a || !b)
         return wrong("'" + text + "' is not a word and twice three finite numbers");
     if (kind == "plane") {

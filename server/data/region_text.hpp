@@ -4,9 +4,14 @@
 #include "core/base/result.hpp"
 #include "core/surface/measures/region.hpp"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace wakesurf::server {
+
+/// Reads x,y,z: three finite numbers.
+std::optional<core::Vec3> point_of(std::string_view text);
 
 /// @param option  what it is called in messages
 /// Error: InvalidArgument: for anything else, a normal of no length, a box of no volume.

@@ -2,9 +2,9 @@
 
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/obstacle_surface.hpp"
-#include "core/surface/wall_caps.hpp"
 #include "protocol/wire/lattice.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
+#include "server/data/obstacle_mesh.hpp"
 #include "server/data/surface_scalars.hpp"
 
 #include <fmt/format.h>
@@ -18,32 +18,6 @@
 namespace wakesurf::server {
 
 namespace {
-
-struct Obstacle {
-    core::QuadComplex mesh;
-    std::size_t walls; ///< vertices; what comes after them closes bodies at the sides of the domain
-};
-
-/// Returns the surface at which particles stop, for display: that of the solid nodes, or the walls of the
-/// store or of a built-in flow.
-core::Result<Obstacle> obstacle_of(const LoadedDataset& dataset) {
-    const auto none = core::fail(core::Error::Code::NotFound, "the dataset has no obstacle",
-                                 "`dataset.describe` says whether it has one");
-    const store::StoreReader* store = dataset.store.get();
-    if (store != nullptr && !store->mask().empty()) {
-        auto mesh = core::obstacle_surface(store->grid(), store->mask());
-        const std::size_t all = mesh.vertices();
-        return Obstacle{std::move(mesh), all};
-    }
-    auto walls = store != nullptr ? store->load_walls() : dataset.flow->walls();
-    if (!walls)
-        return tl::unexpected(walls.error());
-    if (walls->triangles.empty())
-        return none;
-    const std::size_t count = walls->points.size();
-    core::close_at_sides(*walls, *dataset.flow);
-    return Obstacle{core::wall_surface(*walls), count};
-}
 
 /// The memory for the mesh, its frames and intermediate data, in bytes a vertex.
 constexpr std::size_t obstacle_bytes = 400;

@@ -6,6 +6,7 @@
 #include "server/data/dataset_catalogue.hpp"
 #include "server/net/animation_downloads.hpp"
 #include "server/net/http_message.hpp"
+#include "server/net/lines_downloads.hpp"
 #include "server/net/number_downloads.hpp"
 #include "server/net/shared_files.hpp"
 #include "server/net/slice_downloads.hpp"
@@ -59,6 +60,7 @@ class Downloads {
     NumberDownloads numbers_;
     AnimationDownloads animations_;
     SliceDownloads slices_;
+    LinesDownloads lines_;
 };
 
 } // namespace wakesurf::server

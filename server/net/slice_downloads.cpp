@@ -8,6 +8,7 @@
 #include "server/data/open_dataset.hpp"
 #include "server/data/region_text.hpp"
 #include "server/net/download_request.hpp"
+#include "server/net/field_request.hpp"
 
 #include <fmt/format.h>
 
@@ -48,13 +49,6 @@ core::Result<core::Plane> read_plane(const std::string& text) {
         });
 }
 
-core::Result<double> read_slice_time(const std::string& text) {
-    const auto time = finite_number(text);
-    return time ? core::Result<double>(*time)
-                : fail(Error::Code::InvalidArgument, "`time` is not a finite number",
-                       "as in ?time=2.5");
-}
-
 /// Holds the input of a file.
 struct SliceWork {
     core::SliceRequest request;
@@ -86,17 +80,6 @@ struct SliceWork {
     }
 };
 
-/// Returns the time to sample at. Error: InvalidArgument where the flow has several and none is given.
-core::Result<double> time_of(const SliceQuery& query, const LoadedDataset& dataset) {
-    const bool stands = dataset.info.steady || dataset.info.times.size() < 2;
-    if (stands)
-        return dataset.info.times.empty() ? query.time.value_or(0.0) : dataset.info.times.front();
-    if (!query.time)
-        return fail(Error::Code::InvalidArgument, "`time` is missing",
-                    "the data change with time: add ?time=2.5");
-    return *query.time;
-}
-
 } // namespace
 
 core::Result<SliceQuery> read_slice_query(const std::map<std::string, std::string>& query) {
@@ -108,7 +91,7 @@ core::Result<SliceQuery> read_slice_query(const std::map<std::string, std::strin
         else if (name == "samples")
             read = read_samples(value).map([&](std::size_t samples) { out.samples = samples; });
         else if (name == "time")
-            read = read_slice_time(value).map([&](double time) { out.time = time; });
+            read = read_field_time(value).map([&](double time) { out.time = time; });
         else if (name == "field")
             out.field = value;
         else
@@ -136,11 +119,10 @@ core::Result<void> SliceDownloads::offer(const HttpRequest& request,
     if (!dataset)
         return tl::unexpected(dataset.error());
     const LoadedDataset& data = **dataset;
-    const auto time = time_of(*query, data);
+    const auto time = time_of(query->time, data);
     if (!time)
         return tl::unexpected(time.error());
-    const auto field = find_node_field(query->field.empty() ? data.info.velocity : query->field,
-                                       data.info, data.scalars.get());
+    const auto field = field_of(query->field, data);
     if (!field)
         return tl::unexpected(field.error());
     const SliceWork work{{query->plane, sampled(*field, data.scalars.get()), *time, query->samples},

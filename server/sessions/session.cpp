@@ -2,9 +2,8 @@
 
 #include "core/base/plain_text.hpp"
 #include "core/surface/rake.hpp"
-#include "core/surface/slice/plane_window.hpp"
+#include "protocol/api/plural.hpp"
 #include "server/base/limits.hpp"
-#include "server/data/node_fields.hpp"
 #include "server/live/compute/budgets.hpp"
 #include "server/sessions/records/record_room.hpp"
 
@@ -203,7 +202,7 @@ core::Result<void> Session::may_put(const RecordKey& key, bool is_new) const {
         return {};
     return core::over_limit(most,
                             "a session may have at most " + std::to_string(most) + " " +
-                                std::string(server::name(key.type)) + "s",
+                                protocol::plural_of(server::name(key.type)),
                             "delete some, or use another session");
 }
 
@@ -406,35 +405,6 @@ core::Result<protocol::SurfaceRecord> Session::set_surface(const protocol::Surfa
         return tl::unexpected(sound.error());
     edit({change_to(record)}, author, 0, std::move(*job));
     return *records_.find<protocol::SurfaceRecord>(record.surface);
-}
-
-core::Result<protocol::SliceRecord> Session::set_slice(const protocol::SliceSetting& setting,
-                                                       const Author& author) {
-    const RecordKey asked{RecordType::Slice, setting.slice.value_or("")};
-    if (auto may = may_put(asked, !setting.slice); !may)
-        return tl::unexpected(may.error());
-    const auto open = services_.datasets.open(setting.dataset);
-    if (!open)
-        return tl::unexpected(open.error());
-    protocol::SliceRecord record{setting.slice.value_or(""),
-                                 0,
-                                 setting.dataset,
-                                 setting.origin,
-                                 setting.normal,
-                                 setting.field.value_or(open->info.velocity)};
-    if (auto there = find_node_field(record.field, open->info, open->scalars.get()); !there) {
-        there.error().code = core::Error::Code::InvalidArgument;
-        return tl::unexpected(there.error());
-    }
-    if (auto window = core::plane_window({record.origin, record.normal}, open->flow->domain());
-        !window)
-        return tl::unexpected(window.error());
-    if (!setting.slice)
-        record.slice = records_.new_id(RecordType::Slice);
-    if (auto sound = may_keep(record); !sound)
-        return tl::unexpected(sound.error());
-    edit({change_to(record)}, author);
-    return *records_.find<protocol::SliceRecord>(record.slice);
 }
 
 core::Result<protocol::BookmarkRecord>

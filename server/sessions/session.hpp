@@ -174,6 +174,11 @@ class Session {
     core::Result<protocol::SliceRecord> set_slice(const protocol::SliceSetting& setting,
                                                   const Author& author = {});
 
+    /// Creates or replaces a set of streamlines. Error: NotFound (lines, dataset), InvalidArgument (the field, the seeds, the range),
+    /// OutOfDomain where all seeds lie beside the dataset, OverLimit.
+    core::Result<protocol::LinesRecord> set_lines(const protocol::LinesSetting& setting,
+                                                  const Author& author = {});
+
     /// Error: NotFound, OverLimit.
     core::Result<protocol::BookmarkRecord> set_bookmark(const protocol::BookmarkSetting& setting,
                                                         const Author& author = {});
@@ -251,6 +256,9 @@ class Session {
     std::vector<RecordChange> deletion(const RecordKey& key) const;
     core::Result<void> may_put(const RecordKey& key, bool is_new) const;
     core::Result<void> may_keep(const Record& record) const;
+    template <class R, class Check>
+    core::Result<R>
+    set_field_record(R record, bool is_new, const Author& author, const Check& check);
     core::Result<void> has_room(std::size_t before, std::size_t after) const;
     void count_memory();
     core::Result<core::ClippedRake> clip(const protocol::RakeSetting& setting) const;

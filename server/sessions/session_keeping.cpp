@@ -48,7 +48,8 @@ protocol::SessionHead Session::head() const {
             records_.next_number(RecordType::Bookmark),
             records_.next_number(RecordType::Annotation),
             units_,
-            records_.next_number(RecordType::Slice)};
+            records_.next_number(RecordType::Slice),
+            records_.next_number(RecordType::Lines)};
 }
 
 std::vector<JournalEntry> Session::own_entries() const {

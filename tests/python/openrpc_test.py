@@ -199,6 +199,9 @@ class OpenRpcTest(unittest.TestCase):
             plane = ask("slice.set", dataset="lamb-oseen", origin=[0, 0, 0], normal=[0, 0, 1], field="vorticity_z")["slice"]
             refused(wakesurf.OutsideDomain, host, "slice.set", dataset="lamb-oseen", origin=[0, 0, 99], normal=[0, 0, 1])
             ask("slice.list")
+            lines = ask("lines.set", dataset="lamb-oseen", kind="line", points=[[0.1, 0, 0], [1.5, 0, 0]], seeds=10)["lines"]
+            refused(wakesurf.OutsideDomain, host, "lines.set", dataset="lamb-oseen", kind="sphere", points=[[0, 0, 99]], distance=1, seeds=10)
+            ask("lines.list")
             ask("bookmark.list")
             ask("annotation.list")
             ask("session.state")
@@ -237,6 +240,7 @@ class OpenRpcTest(unittest.TestCase):
             ask("bookmark.delete", bookmark=mark)
             ask("annotation.delete", annotation=note)
             ask("slice.delete", slice=plane)
+            ask("lines.delete", lines=lines)
             ask("surface.delete", surface=moving)
             ask("rake.delete", rake=rake)
             ask("$/cancelRequest", id=12345)

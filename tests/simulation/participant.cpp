@@ -1,5 +1,6 @@
 #include "tests/simulation/participant.hpp"
 
+#include "protocol/api/plural.hpp"
 #include "protocol/wire/mesh_frame.hpp"
 
 #include <algorithm>
@@ -25,8 +26,8 @@ bool expected(int code) {
 
 Participant::Records records_of(const json& snapshot) {
     Participant::Records records;
-    for (const std::string type : {"rake", "surface", "slice", "bookmark", "annotation"})
-        for (const json& record : snapshot[type + "s"])
+    for (const std::string type : {"rake", "surface", "slice", "lines", "bookmark", "annotation"})
+        for (const json& record : snapshot[protocol::plural_of(type)])
             records[{type, record[type]}] = record; // its id is the member called like its type
     records[{"clock", "clock"}] = snapshot["clock"];
     return records;

@@ -1,6 +1,7 @@
 // Puts the page together. The path of a datum: worker/ (socket, decoding) -> session/ (records,
 // newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/. Each part
 // is made of parts that are made above it, and each panel is handed what it uses.
+import { computed } from '@preact/signals-core';
 import { OwnServer } from './connection/ownServer.ts';
 import { probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
@@ -58,6 +59,7 @@ import { listenForPresses, listenForUndoKeys } from './ui/base/keyboard.ts';
 import { recallPanel } from './ui/view/room.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
 import { loadPlots } from './ui/plots/loadPlots.ts';
+import { loadLines } from './ui/lines/loadLines.ts';
 import { loadSlices } from './ui/slices/loadSlices.ts';
 import { WorkerClient } from './worker/workerClient.ts';
 
@@ -156,7 +158,9 @@ function start(app: App): void {
         time: () => playback.time.value,
         moves: () => playback.mode.value === 'clock',
     });
-    const slices = loadSlices({ state, view, scene, server, worker, edits, time: () => playback.time.value });
+    const inPicture = { state, view, scene, server, worker, edits, time: () => playback.time.value };
+    const [slices, lines] = [loadSlices(inPicture), loadLines(inPicture)];
+    const fieldsShown = { waiting: computed(() => slices.waiting.value || lines.waiting.value) };
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
     const means = new Means({ state, worker });
     const events = new ServerEvents({
@@ -172,7 +176,7 @@ function start(app: App): void {
     const findBar = (): HTMLElement | null => labels.parentElement?.querySelector<HTMLElement>('wakesurf-scalar-bar') ?? null;
     const figure = new Figure(scene, findBar, { state, worker });
     const film = new FilmMaker({
-        ...{ state, view, worker, edits, playback, bodyFields, slices, figure },
+        ...{ state, view, worker, edits, playback, bodyFields, fieldsShown, figure },
         controls: scene.controls,
     });
     const mesh = new MeshDownload(server);
@@ -182,7 +186,7 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
-    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFields, slices, latency, canvas, figure }) });
+    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFields, fieldsShown, latency, canvas, figure }) });
     recallPanel(view);
     listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures, () => state.notices.passed('press'));
@@ -203,7 +207,7 @@ function start(app: App): void {
     };
     app.begin({
         state,
-        scalarBar: { state, view, scene, bodyFields, slices: slices.model },
+        scalarBar: { state, view, scene, bodyFields, slices: slices.model, lines: lines.model },
         viewButtons: { view, scene },
         tools: { state, view },
         tour: { state, view, edits, playback, scene },
@@ -223,10 +227,11 @@ function start(app: App): void {
             help: { view },
             sessionHead: { state, view, sessionList },
             datasetHead: { state, sessionList },
-            pictureList: { state, view, edits, slices: slices.model },
+            pictureList: { state, view, edits, slices: slices.model, lines: lines.model },
             surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
             rake: { state, view, edits, scene },
             slices: slices.model,
+            lines: lines.model,
             means: { state, means },
             look: { state, view, edits, scene, bodyFields, ownCopy },
             bookmarks: { state, views, calls, clock },

@@ -1,6 +1,7 @@
 #include "core/surface/slice/slice_raster.hpp"
 
 #include "core/base/rounding.hpp"
+#include "core/field/time_in_data.hpp"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -10,7 +11,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <string>
 
 namespace wakesurf::core {
 
@@ -20,18 +20,6 @@ namespace {
 constexpr std::size_t band_samples = std::size_t{1} << 16;
 /// Place, shares of nodes, velocity and so on of each of them; the seven places of a gradient take most.
 constexpr std::size_t band_bytes = 1200;
-
-Result<double> time_in_data(const Flow& flow, double time) {
-    const auto bounds = flow.time_bounds();
-    if (!bounds)
-        return time;
-    if (!within_rounding(time, (*bounds)[0], (*bounds)[1]))
-        return fail(Error::Code::OutOfTime,
-                    "time " + std::to_string(time) + " is outside the data's " +
-                        std::to_string((*bounds)[0]) + " to " + std::to_string((*bounds)[1]),
-                    "choose `time` inside it");
-    return std::clamp(time, (*bounds)[0], (*bounds)[1]);
-}
 
 /// A part of a raster's samples, those of them in the flow.
 struct Band {

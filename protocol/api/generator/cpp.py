@@ -308,7 +308,7 @@ class Cpp:
                 f"// {self.api.titles[noun][0]}: what methods take" + (", and the record." if any(each[0].get("x-record") for each in structs) else "."),
                 "#pragma once", "",
                 '#include "core/surface/family/family_record.hpp"', '#include "core/surface/rake.hpp"',
-                '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"',
+                '#include "core/surface/lines/line_seeds.hpp"', '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"',
                 '#include "core/surface/value_range.hpp"', '#include "protocol/api/base/json_members.hpp"', "", "namespace wakesurf::protocol {", ""]
         body = []
         for shape, name, words, method in structs:

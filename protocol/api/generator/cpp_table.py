@@ -46,7 +46,7 @@ def enums(api):
 def names_header(api):
     lines = [MADE.format("*.schema.json"),
              "// The words users and scripts write for the engine's enumerations: `stream`, `forward`, `balanced` ...", "#pragma once", "",
-             '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"',
+             '#include "core/surface/lines/line_seeds.hpp"', '#include "core/surface/surface_parameters.hpp"', '#include "core/surface/surface_statistics.hpp"',
              '#include "protocol/api/base/enum_words.hpp"', "", *NAMESPACE]
     for shape in enums(api):
         kind = shape["x-cpp-type"]

@@ -140,7 +140,7 @@ def named(fields):
 
 def is_told(shape):
     return shape.kind == "object" and shape.fields and shape.name not in (
-        "InSession", "Edit", "FirstRecord", "RakeShape", "SurfaceFields", "SliceFields", "BookmarkFields", "AnnotationFields", "Limits", "ErrorData")
+        "InSession", "Edit", "FirstRecord", "RakeShape", "SurfaceFields", "SliceFields", "LinesFields", "BookmarkFields", "AnnotationFields", "Limits", "ErrorData")
 
 
 def who_may(method):

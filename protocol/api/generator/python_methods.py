@@ -8,7 +8,7 @@ from .schema import either
 
 GROUPS = {"rpc": "About calls", "server": "The server", "dataset": "Datasets", "cache": "Time-steps in memory", "probe": "Values at points",
           "family": "Families of stream surfaces", "mean": "Means over time", "session": "Sessions and their people", "presence": "Presence", "rake": "Rakes",
-          "surface": "Surfaces", "frame": "Mesh frames", "slice": "Slices", "bookmark": "Bookmarks", "annotation": "Annotations", "history": "Undo", "time": "The clock"}
+          "surface": "Surfaces", "frame": "Mesh frames", "slice": "Slices", "lines": "Streamlines", "bookmark": "Bookmarks", "annotation": "Annotations", "history": "Undo", "time": "The clock"}
 LEFT_TO_THE_CLIENT = ("session", "surface", "default", "gesture", "ifRev")
 FIRST = ("rake", "kind", "dataset", "to", "from")
 

@@ -8,7 +8,7 @@ import re
 from dataclasses import dataclass, field
 
 FOLDER = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-NOUNS = ("server", "dataset", "family", "mean", "session", "share", "presence", "rake", "surface", "subscription", "slice", "bookmark", "annotation",
+NOUNS = ("server", "dataset", "family", "mean", "session", "share", "presence", "rake", "surface", "subscription", "slice", "lines", "bookmark", "annotation",
          "history", "time")
 OTHERS = ("shared", "limits", "errors")
 

@@ -1,4 +1,4 @@
-// The methods on records: rakes, surfaces, slices, bookmarks and annotations. What every type of record shares (a list, a deletion, a setter that may be
+// The methods on records: rakes, surfaces, slices, streamlines, bookmarks and annotations. What every type of record shares (a list, a deletion, a setter that may be
 // meant for one revision only) comes first.
 #include "protocol/api/base/list_json.hpp"
 #include "server/net/methods/caller.hpp"
@@ -309,6 +309,21 @@ void slice_list(const Call& call, const protocol::SliceList& of, Reply reply) {
     list_records<protocol::SliceRecord>(call, of.session, std::move(reply), "slices");
 }
 
+constexpr RecordHandlers<protocol::LinesRecord, protocol::LinesSetting> lines_handlers{
+    "lines", &Session::set_lines};
+
+void lines_set(const Call& call, const protocol::LinesSetting& setting, Reply reply) {
+    lines_handlers.set(call, setting, setting.lines, std::move(reply));
+}
+
+void lines_delete(const Call& call, const protocol::LinesDelete& of, Reply reply) {
+    lines_handlers.remove(call, of, of.lines, std::move(reply));
+}
+
+void lines_list(const Call& call, const protocol::LinesList& of, Reply reply) {
+    list_records<protocol::LinesRecord>(call, of.session, std::move(reply), "lines");
+}
+
 void bookmark_set(const Call& call, const protocol::BookmarkSetting& setting, Reply reply) {
     bookmark_handlers.set(call, setting, setting.bookmark, std::move(reply));
 }
@@ -337,6 +352,7 @@ void annotation_list(const Call& call, const protocol::AnnotationList& of, Reply
 
 std::vector<Method> mark_methods() {
     return {method(slice_set),      method(slice_delete),      method(slice_list),
+            method(lines_set),      method(lines_delete),      method(lines_list),
             method(bookmark_set),   method(bookmark_delete),   method(bookmark_list),
             method(annotation_set), method(annotation_delete), method(annotation_list)};
 }

@@ -92,6 +92,7 @@ json records_json(const Session& session) {
     out.update({{"rakes", all_json<protocol::RakeRecord>(session)},
                 {"surfaces", all_json<protocol::SurfaceRecord>(session)},
                 {"slices", all_json<protocol::SliceRecord>(session)},
+                {"lines", all_json<protocol::LinesRecord>(session)},
                 {"bookmarks", all_json<protocol::BookmarkRecord>(session)},
                 {"annotations", all_json<protocol::AnnotationRecord>(session)},
                 {"clock", protocol::written(session.clock().record())}});

@@ -16,9 +16,9 @@ namespace {
 
 /// Returns what a client may look for before it relies on it.
 json capabilities() {
-    json out{"stream",   "path",    "streak", "time",      "obstacle.bin", "lease",
-             "clock",    "history", "slice",  "bookmark",  "annotation",   "cancel",
-             "progress", "stop",    "trash",  "thumbnail", "level"};
+    json out{"stream", "path",     "streak", "time",  "obstacle.bin", "lease",
+             "clock",  "history",  "slice",  "lines", "bookmark",     "annotation",
+             "cancel", "progress", "stop",   "trash", "thumbnail",    "level"};
     for (const auto format : protocol::mesh_formats)
         out.push_back("mesh." + std::string(protocol::extension(format)));
     out.push_back("numbers.csv");

@@ -5,6 +5,7 @@
 #include "protocol/api/generated/history.hpp"
 #include "protocol/api/generated/session.hpp"
 #include "protocol/api/messages_presence.hpp"
+#include "protocol/api/plural.hpp"
 #include "protocol/api/utc_text.hpp"
 #include "server/base/limits.hpp"
 #include "server/net/methods/caller.hpp"
@@ -181,7 +182,7 @@ json profile_json(const protocol::SessionProfile& profile) {
 
 void add_counts(json& out, const std::array<std::size_t, record_types.size()>& records) {
     for (const RecordType type : record_types)
-        out[std::string(name(type)) + "s"] = records[static_cast<std::size_t>(type)];
+        out[protocol::plural_of(name(type))] = records[static_cast<std::size_t>(type)];
 }
 
 /// Returns a SessionEntry. @param now  seconds since 1970: a session with participants is in use now

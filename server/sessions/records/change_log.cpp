@@ -20,6 +20,10 @@ Key log_key(const protocol::SliceRecord& record) {
     return {"slice", record.slice};
 }
 
+Key log_key(const protocol::LinesRecord& record) {
+    return {"lines", record.lines};
+}
+
 Key log_key(const protocol::BookmarkRecord& record) {
     return {"bookmark", record.bookmark};
 }

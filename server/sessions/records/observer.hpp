@@ -33,6 +33,7 @@ struct SessionName {
 using Patch = std::variant<protocol::RakeRecord,
                            protocol::SurfaceRecord,
                            protocol::SliceRecord,
+                           protocol::LinesRecord,
                            protocol::BookmarkRecord,
                            protocol::AnnotationRecord,
                            protocol::ClockRecord,

@@ -26,7 +26,8 @@ void clean_names(Record& record) {
             if constexpr (std::is_same_v<Kind, protocol::AnnotationRecord>)
                 each.text = core::display_lines(each.text, each.text.size());
             else if constexpr (!std::is_same_v<Kind, protocol::SurfaceRecord> &&
-                               !std::is_same_v<Kind, protocol::SliceRecord>)
+                               !std::is_same_v<Kind, protocol::SliceRecord> &&
+                               !std::is_same_v<Kind, protocol::LinesRecord>)
                 clean(each.name);
             if constexpr (std::is_same_v<Kind, protocol::AnnotationRecord> ||
                           std::is_same_v<Kind, protocol::RakeRecord>)
@@ -42,6 +43,8 @@ core::Result<Record> parse(RecordType type, const std::string& text) {
         return protocol::parse_surface(text).map(wide);
     case RecordType::Slice:
         return protocol::parse_slice(text).map(wide);
+    case RecordType::Lines:
+        return protocol::parse_lines(text).map(wide);
     case RecordType::Bookmark:
         return protocol::parse_bookmark(text).map(wide);
     case RecordType::Annotation:
@@ -106,6 +109,7 @@ void take_head(const JournalEntry& entry, StoredRecords& into) {
     into.records.skip_numbers(RecordType::Rake, head->next_rake);
     into.records.skip_numbers(RecordType::Surface, head->next_surface);
     into.records.skip_numbers(RecordType::Slice, head->next_slice);
+    into.records.skip_numbers(RecordType::Lines, head->next_lines);
     into.records.skip_numbers(RecordType::Bookmark, head->next_bookmark);
     into.records.skip_numbers(RecordType::Annotation, head->next_annotation);
 }

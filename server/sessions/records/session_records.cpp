@@ -10,7 +10,7 @@ namespace wakesurf::server {
 
 namespace {
 
-constexpr std::string_view id_letters = "rscba"; // a slice is a cut
+constexpr std::string_view id_letters = "rsclba"; // a slice is a cut
 
 char letter(RecordType type) {
     return id_letters[static_cast<std::size_t>(type)];
@@ -26,6 +26,10 @@ const std::string& record_id(const protocol::SurfaceRecord& record) {
 
 const std::string& record_id(const protocol::SliceRecord& record) {
     return record.slice;
+}
+
+const std::string& record_id(const protocol::LinesRecord& record) {
+    return record.lines;
 }
 
 const std::string& record_id(const protocol::BookmarkRecord& record) {
@@ -54,6 +58,11 @@ std::size_t extra_bytes(const protocol::SliceRecord& record) {
     return record.dataset.size() + record.field.size();
 }
 
+std::size_t extra_bytes(const protocol::LinesRecord& record) {
+    return record.dataset.size() + record.field.size() +
+           record.places.points.size() * sizeof(core::Vec3);
+}
+
 std::size_t extra_bytes(const protocol::BookmarkRecord& record) {
     return record.name.size() + record.view.size();
 }
@@ -70,6 +79,8 @@ auto look_up(const SessionRecords& records, const RecordKey& key, const Found& f
         return found(records.find<protocol::SurfaceRecord>(key.id));
     case RecordType::Slice:
         return found(records.find<protocol::SliceRecord>(key.id));
+    case RecordType::Lines:
+        return found(records.find<protocol::LinesRecord>(key.id));
     case RecordType::Bookmark:
         return found(records.find<protocol::BookmarkRecord>(key.id));
     case RecordType::Annotation:
@@ -83,8 +94,8 @@ auto look_up(const SessionRecords& records, const RecordKey& key, const Found& f
 } // namespace
 
 std::string_view name(RecordType type) {
-    constexpr std::array<std::string_view, 5> names{"rake", "surface", "slice", "bookmark",
-                                                    "annotation"};
+    constexpr std::array<std::string_view, 6> names{"rake",  "surface",  "slice",
+                                                    "lines", "bookmark", "annotation"};
     return names[static_cast<std::size_t>(type)];
 }
 
@@ -96,7 +107,8 @@ tl::unexpected<core::Error> no_record(const RecordKey& key) {
 }
 
 std::size_t most_records(RecordType type) {
-    constexpr std::array<std::size_t, 5> counts{limits::rakes, limits::surfaces, limits::slices,
+    constexpr std::array<std::size_t, 6> counts{limits::rakes,     limits::surfaces,
+                                                limits::slices,    limits::lines,
                                                 limits::bookmarks, limits::annotations};
     return counts[static_cast<std::size_t>(type)];
 }
@@ -137,8 +149,8 @@ std::size_t SessionRecords::bytes(const RecordKey& key) const {
 }
 
 std::size_t SessionRecords::count(RecordType type) const {
-    const std::array<std::size_t, 5> sizes = std::apply(
-        [](const auto&... table) { return std::array<std::size_t, 5>{table.size()...}; }, tables_);
+    const std::array<std::size_t, 6> sizes = std::apply(
+        [](const auto&... table) { return std::array<std::size_t, 6>{table.size()...}; }, tables_);
     return sizes[static_cast<std::size_t>(type)];
 }
 

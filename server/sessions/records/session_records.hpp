@@ -1,4 +1,4 @@
-// The contents of a session as plain values: rakes, surfaces' parameters, slices, bookmarks, annotations. Any kind
+// The contents of a session as plain values: rakes, surfaces' parameters, slices, streamlines, bookmarks, annotations. Any kind
 // of record is found, put and taken away by its key, so that undo, the journal and restoring need to know
 // no kind.
 #pragma once
@@ -6,6 +6,7 @@
 #include "core/base/result.hpp"
 #include "protocol/api/generated/annotation.hpp"
 #include "protocol/api/generated/bookmark.hpp"
+#include "protocol/api/generated/lines.hpp"
 #include "protocol/api/generated/rake.hpp"
 #include "protocol/api/generated/slice.hpp"
 #include "protocol/api/generated/surface.hpp"
@@ -26,18 +27,19 @@ namespace wakesurf::server {
 using Record = std::variant<protocol::RakeRecord,
                             protocol::SurfaceRecord,
                             protocol::SliceRecord,
+                            protocol::LinesRecord,
                             protocol::BookmarkRecord,
                             protocol::AnnotationRecord>;
 
 /// Lists the types in the order of Record's alternatives, in which they can be put: a surface hangs on
 /// rakes.
-enum class RecordType : std::uint8_t { Rake, Surface, Slice, Bookmark, Annotation };
+enum class RecordType : std::uint8_t { Rake, Surface, Slice, Lines, Bookmark, Annotation };
 
-inline constexpr std::array<RecordType, 5> record_types{RecordType::Rake, RecordType::Surface,
-                                                        RecordType::Slice, RecordType::Bookmark,
-                                                        RecordType::Annotation};
+inline constexpr std::array<RecordType, 6> record_types{
+    RecordType::Rake,  RecordType::Surface,  RecordType::Slice,
+    RecordType::Lines, RecordType::Bookmark, RecordType::Annotation};
 
-/// `rake`, `surface`, `slice`, `bookmark`, `annotation`; with static storage.
+/// `rake`, `surface`, `slice`, `lines`, `bookmark`, `annotation`; with static storage.
 std::string_view name(RecordType type);
 
 /// The type of the records of class R.
@@ -141,10 +143,11 @@ class SessionRecords {
     std::tuple<Table<protocol::RakeRecord>,
                Table<protocol::SurfaceRecord>,
                Table<protocol::SliceRecord>,
+               Table<protocol::LinesRecord>,
                Table<protocol::BookmarkRecord>,
                Table<protocol::AnnotationRecord>>
         tables_;
-    std::array<std::uint64_t, 5> next_{1, 1, 1, 1, 1};
+    std::array<std::uint64_t, 6> next_{1, 1, 1, 1, 1, 1};
     std::size_t bytes_ = 0;
 };
 

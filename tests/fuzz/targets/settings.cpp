@@ -4,6 +4,7 @@
 #include "protocol/api/generated/bookmark.hpp"
 #include "protocol/api/generated/dataset.hpp"
 #include "protocol/api/generated/limits.hpp"
+#include "protocol/api/generated/lines.hpp"
 #include "protocol/api/generated/presence.hpp"
 #include "protocol/api/generated/rake.hpp"
 #include "protocol/api/generated/session.hpp"
@@ -45,6 +46,7 @@ void run(Input input) {
                    std::isfinite(surface->parameters.to),
                "the numbers of a surface are finite");
     protocol::parse_call<protocol::SliceSetting>(*object);
+    protocol::parse_call<protocol::LinesSetting>(*object);
     protocol::parse_call<protocol::BookmarkSetting>(*object);
     protocol::parse_call<protocol::AnnotationSetting>(*object);
     protocol::parse_call<protocol::PlaySetting>(*object);

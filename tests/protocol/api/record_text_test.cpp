@@ -76,9 +76,20 @@ TEST(RecordText, EveryRecordComesBackWithTheSameBits) {
     EXPECT_EQ(*parse_annotation(record_text(annotation)), annotation);
     const SliceRecord slice{"c1", 2, "data", {0.1, 1e-300, -0.0}, {1.0 / 3.0, 2, 0}, "p"};
     EXPECT_EQ(*parse_slice(record_text(slice)), slice);
+    const LinesRecord lines{"l1",
+                            2,
+                            "data",
+                            {core::LineSeeds::Kind::Sphere, {{0.1, 1e-300, -0.0}}, 1.0 / 3.0, 7},
+                            core::Direction::Backward,
+                            0.1,
+                            0.2,
+                            -1.0,
+                            1.0 / 7.0,
+                            "p"};
+    EXPECT_EQ(*parse_lines(record_text(lines)), lines);
     const SessionHead head{"a name", 1234, 5, 6, 7, 8};
     EXPECT_EQ(*parse_session_head(record_text(head)), head);
-    const SessionHead measured{"a name", 1234, 5, 6, 7, 8, {"mm", ""}, 9};
+    const SessionHead measured{"a name", 1234, 5, 6, 7, 8, {"mm", ""}, 9, 10};
     EXPECT_EQ(*parse_session_head(record_text(measured)), measured);
 }
 

@@ -353,6 +353,37 @@ TEST(Document, SlicesAreLimitedInNumber) {
     EXPECT_TRUE(bench.session->set_slice(slice_at(2, "c1"), bench.ada)) << "this one is there";
 }
 
+TEST(Document, LinesAreColouredByAFieldOfTheirDatasetAndReleasedInIt) {
+    SessionBench bench;
+    server::Session& session = *bench.session;
+    const auto made = session.set_lines(lines_from(2), bench.ada);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(made->lines, "l1");
+    EXPECT_EQ(made->field, "velocity") << "for its magnitude, where none is named";
+    const auto refusal = [&](const auto& change) {
+        auto setting = lines_from(1, "l1");
+        change(setting);
+        const auto set = session.set_lines(setting, bench.ada);
+        return set ? std::string() : set.error().message;
+    };
+    EXPECT_NE(refusal([](auto& of) {
+                  of.places.points = {{99, 0, 0}, {99, 1, 0}};
+              }).find("outside of the domain"),
+              std::string::npos);
+    EXPECT_NE(refusal([](auto& of) { of.field = "pressure"; }).find("pressure"), std::string::npos);
+    EXPECT_EQ(refusal([](auto& of) { of.low = 1.0; }), "`low` and `high` are no range of colours");
+    EXPECT_EQ(refusal([](auto& of) {
+                  of.places = {core::LineSeeds::Kind::Walls, {}, 0.1, 5};
+              }),
+              "`kind`: the data have no walls");
+    auto setting = lines_from(1, "l1");
+    setting.low = 0.0;
+    setting.high = 2.0;
+    EXPECT_EQ(session.set_lines(setting, bench.ada)->rev, 2u);
+    session.move_in_history(server::HistoryMove::Undo, bench.ada);
+    EXPECT_EQ(session.records().get<protocol::LinesRecord>("l1")->places.points[0].x, 2.0);
+}
+
 TEST(Document, AnAnnotationKeepsItsAuthorAndOutlivesItsSurface) {
     SessionBench bench;
     const auto rake = bench.session->set_rake(rake_at(0), bench.ada)->record.rake;

@@ -43,6 +43,7 @@ void fill(SessionBench& bench) {
     ASSERT_TRUE(session.set_rake(rake_at(1.0 / 7, "r2"), bench.ada));
     ASSERT_TRUE(session.set_bookmark(bookmark_of(R"({"camera":[1,2.5]})"), bench.ada));
     ASSERT_TRUE(session.set_slice(slice_at(1.0 / 3), bench.ada));
+    ASSERT_TRUE(session.set_lines(lines_from(1.0 / 3), bench.ada));
     auto text = note("two\nlines, and \u00fc");
     text.surface = "s1";
     ASSERT_TRUE(session.set_annotation(text, bench.bob));

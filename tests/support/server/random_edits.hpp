@@ -17,7 +17,7 @@ class RandomEdits {
         server::Author author = some_author();
         if (random_() % 3 == 0)
             author.gesture = random_() % 2 == 0 ? "slide" : "paint";
-        switch (random_() % 18) {
+        switch (random_() % 20) {
         case 0:
         case 1:
             (void)session.set_rake(rake_at(coordinate()), author);
@@ -67,6 +67,13 @@ class RandomEdits {
             break;
         case 16:
             (void)session.remove({server::RecordType::Slice, some(server::RecordType::Slice)},
+                                 author);
+            break;
+        case 17:
+            (void)session.set_lines(lines_from(double(random_() % 9), some_or_new("l")), author);
+            break;
+        case 18:
+            (void)session.remove({server::RecordType::Lines, some(server::RecordType::Lines)},
                                  author);
             break;
         case 13:

@@ -181,6 +181,14 @@ inline protocol::SliceSetting slice_at(double x, std::optional<std::string> id =
     return setting;
 }
 
+inline protocol::LinesSetting lines_from(double x, std::optional<std::string> id = {}) {
+    protocol::LinesSetting setting;
+    setting.lines = std::move(id);
+    setting.dataset = "abc";
+    setting.places = {core::LineSeeds::Kind::Line, {{x, 1, 1}, {x, 2, 1}}, 0.0, 5};
+    return setting;
+}
+
 inline protocol::BookmarkSetting bookmark_of(std::string view, std::optional<std::string> id = {}) {
     protocol::BookmarkSetting setting;
     setting.bookmark = std::move(id);

@@ -11,12 +11,13 @@ import { participantChangeCheck } from './generated/presence.ts';
 import { type RakeRecord, rakeRecordCheck } from './generated/rake.ts';
 import { resultChecks } from './generated/results.ts';
 import { type Joined, patchCheck, sessionNameCheck, type Snapshot } from './generated/session.ts';
+import { type LinesRecord, linesRecordCheck } from './generated/lines.ts';
 import { type SliceRecord, sliceRecordCheck } from './generated/slice.ts';
 import { type SurfaceRecord, surfaceRecordCheck } from './generated/surface.ts';
 import { type ClockRecord, clockRecordCheck } from './generated/time.ts';
 import { isObject } from './jsonRpc.ts';
 
-export type { AnnotationRecord, BookmarkRecord, ClockRecord, RakeRecord, SliceRecord, SurfaceRecord };
+export type { AnnotationRecord, BookmarkRecord, ClockRecord, LinesRecord, RakeRecord, SliceRecord, SurfaceRecord };
 export {
     type Dataset as DatasetDescription,
     type DatasetEntry,
@@ -108,6 +109,7 @@ const recordChecks = {
     rake: rakeRecordCheck,
     surface: surfaceRecordCheck,
     slice: sliceRecordCheck,
+    lines: linesRecordCheck,
     bookmark: bookmarkRecordCheck,
     annotation: annotationRecordCheck,
     clock: clockRecordCheck,

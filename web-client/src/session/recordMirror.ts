@@ -12,12 +12,13 @@ export interface SurfaceChanges {
 }
 
 export function adoptSnapshot(state: AppState, snapshot: SessionSnapshot): void {
-    const { name, units, rakes, surfaces, slices, bookmarks, annotations, clock } = snapshot;
+    const { name, units, rakes, surfaces, slices, lines, bookmarks, annotations, clock } = snapshot;
     state.sessionName.value = name;
     state.typedUnits.value = units ?? noUnits;
     state.rakes.value = new Map(rakes.map((record) => [record.rake, record]));
     state.surfaces.value = new Map(surfaces.map((record) => [record.surface, record]));
     state.slices.value = new Map(slices.map((record) => [record.slice, record]));
+    state.lines.value = new Map(lines.map((record) => [record.lines, record]));
     state.bookmarks.value = new Map(bookmarks.map((record) => [record.bookmark, record]));
     state.annotations.value = new Map(annotations.map((record) => [record.annotation, record]));
     state.requestedEpochs.value = new Map(surfaces.map((s) => [s.surface, s.epoch]));
@@ -31,6 +32,7 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
         rake: new Map(state.rakes.value),
         surface: new Map(state.surfaces.value),
         slice: new Map(state.slices.value),
+        lines: new Map(state.lines.value),
         bookmark: new Map(state.bookmarks.value),
         annotation: new Map(state.annotations.value),
     };
@@ -48,6 +50,7 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
             changes.requested.push({ surface: patch.id, epoch: patch.record.epoch });
         } else if (patch.type === 'rake') records.rake.set(patch.id, patch.record);
         else if (patch.type === 'slice') records.slice.set(patch.id, patch.record);
+        else if (patch.type === 'lines') records.lines.set(patch.id, patch.record);
         else if (patch.type === 'bookmark') records.bookmark.set(patch.id, patch.record);
         else records.annotation.set(patch.id, patch.record);
     }
@@ -55,6 +58,7 @@ export function applyPatches(state: AppState, patches: readonly Patch[]): Surfac
     if (touched.has('rake')) state.rakes.value = records.rake;
     if (touched.has('surface')) state.surfaces.value = records.surface;
     if (touched.has('slice')) state.slices.value = records.slice;
+    if (touched.has('lines')) state.lines.value = records.lines;
     if (touched.has('bookmark')) state.bookmarks.value = records.bookmark;
     if (touched.has('annotation')) state.annotations.value = records.annotation;
     return changes;

@@ -13,6 +13,7 @@ import type {
     Participant,
     RakeKind,
     RakeRecord,
+    LinesRecord,
     SliceRecord,
     ResultOf,
     Role,
@@ -90,6 +91,7 @@ export class AppState {
     readonly rakes = signal<ReadonlyMap<string, RakeRecord>>(new Map());
     readonly surfaces = signal<ReadonlyMap<string, SurfaceRecord>>(new Map());
     readonly slices = signal<ReadonlyMap<string, SliceRecord>>(new Map());
+    readonly lines = signal<ReadonlyMap<string, LinesRecord>>(new Map());
     readonly bookmarks = signal<ReadonlyMap<string, BookmarkRecord>>(new Map());
     readonly annotations = signal<ReadonlyMap<string, AnnotationRecord>>(new Map());
     /** Every user in the session, this page too. */

@@ -53,9 +53,10 @@ export interface Brush {
     radiusPx: number;
 }
 
-/** The id of a slice, or bodyId; newSlice: one is about to be added. */
+/** The id of a slice or of streamlines, or bodyId; newSlice and newLines: one is about to be added. */
 export type ChosenThing = string;
 export const newSlice = 'new slice';
+export const newLines = 'new streamlines';
 
 export class ViewState {
     readonly tool = signal<Tool>('none');

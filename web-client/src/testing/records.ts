@@ -36,7 +36,7 @@ export function sampleStatistics(rest: Partial<Statistics> = {}): Statistics {
 
 export function emptySnapshot(session: string, name = ''): SessionSnapshot {
     const clock = { time: null, playing: false, speed: 1, loop: false, from: null, to: null };
-    return { session, name, rakes: [], surfaces: [], slices: [], bookmarks: [], annotations: [], clock };
+    return { session, name, rakes: [], surfaces: [], slices: [], lines: [], bookmarks: [], annotations: [], clock };
 }
 
 export function datasetOf(change: Partial<DatasetDescription> = {}): DatasetDescription {

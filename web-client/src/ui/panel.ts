@@ -5,7 +5,7 @@ import { type ReadonlySignal, signal } from '@preact/signals-core';
 import { surfaceSteps, meshSteps, shareSteps, viewSteps } from '../session/out/panelSteps.ts';
 import type { ScriptStep } from '../session/out/scripts.ts';
 import type { AppState } from '../state/appState.ts';
-import type { ViewState } from '../state/viewState.ts';
+import { newLines, type ViewState } from '../state/viewState.ts';
 import './view/bookmarksPanel.ts';
 import type { BookmarksModel } from './view/bookmarksPanel.ts';
 import './datasetHead.ts';
@@ -36,6 +36,7 @@ import type { SessionHeadModel } from './sessions/sessionHead.ts';
 import './surface/surfacePanel.ts';
 import type { SurfaceModel } from './surface/surfacePanel.ts';
 import type { MeansModel } from './slices/meansPanel.ts';
+import type { LinesModel } from './lines/linesPanel.ts';
 import type { SlicesModel } from './slices/slicesPanel.ts';
 import './view/surroundingsPanel.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
@@ -95,6 +96,8 @@ export interface PanelModel {
     rake: RakeModel;
     /** Null: not loaded yet. */
     slices: ReadonlySignal<SlicesModel | null>;
+    /** Likewise. */
+    lines: ReadonlySignal<LinesModel | null>;
     means: MeansModel;
     look: LookModel;
     bookmarks: BookmarksModel;
@@ -109,12 +112,18 @@ export interface PanelModel {
 
 /** Of what is chosen in the list. */
 function settingsOfChosen(model: PanelModel): TemplateResult {
-    const { state, view, slices } = model;
+    const { state, view, slices, lines } = model;
     const thing = view.chosenThing.value;
     if (thing === bodyId) {
         return html`<section aria-labelledby="body-head">
             <h2 id="body-head">Body</h2>
             <wakesurf-body .model=${model.look}></wakesurf-body>
+        </section>`;
+    }
+    if (thing === newLines || state.lines.value.has(thing ?? '')) {
+        return html`<section aria-labelledby="streamlines-head">
+            <h2 id="streamlines-head">Streamlines</h2>
+            ${lines.value === null ? nothing : html`<wakesurf-streamlines .model=${lines.value}></wakesurf-streamlines>`}
         </section>`;
     }
     if (thing !== null) {

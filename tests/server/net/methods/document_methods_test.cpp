@@ -194,7 +194,7 @@ TEST_F(DocumentMethods, EditsOfOneGestureAreUndoneTogether) {
     EXPECT_EQ(client.result("rake.list")["rakes"], json::array());
     EXPECT_EQ(client.result("history.redo")["redone"].size(), 4u);
     const json again = client.result("session.state");
-    for (const char* type : {"rakes", "surfaces", "slices", "bookmarks", "annotations"})
+    for (const char* type : {"rakes", "surfaces", "slices", "lines", "bookmarks", "annotations"})
         EXPECT_EQ(again[type].size(), state[type].size());
     client.result("annotation.delete", in_gesture({{"annotation", note}}));
     client.result("bookmark.delete", in_gesture({{"bookmark", bookmark}}));

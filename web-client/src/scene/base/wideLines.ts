@@ -14,13 +14,13 @@ import {
     ShaderMaterial,
     Vector2,
 } from 'three';
+import { beforeEyeShader } from './beforeEye.ts';
 import type { View } from './view.ts';
 
 const vertexShader = /* glsl */ `
+${beforeEyeShader}
 uniform vec2 size;
 uniform float halfWidth;
-uniform bool parallelRays;
-uniform float nearest;
 attribute vec3 from;
 attribute vec3 to;
 attribute vec4 tint;
@@ -30,11 +30,7 @@ varying vec4 shown;
 void main() {
     vec4 a = modelViewMatrix * vec4(from, 1.0);
     vec4 b = modelViewMatrix * vec4(to, 1.0);
-    // What is behind the eye has no place on the screen.
-    if (!parallelRays) {
-        if (a.z > -nearest && b.z < -nearest) a = mix(a, b, (-nearest - a.z) / (b.z - a.z));
-        if (b.z > -nearest && a.z < -nearest) b = mix(b, a, (-nearest - b.z) / (a.z - b.z));
-    }
+    keepBeforeEye(a, b);
     vec4 clipA = projectionMatrix * a;
     vec4 clipB = projectionMatrix * b;
     vec2 direction = (clipB.xy / clipB.w - clipA.xy / clipA.w) * size;

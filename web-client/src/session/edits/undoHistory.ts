@@ -109,6 +109,7 @@ export class UndoHistory {
 
     private nameOf(type: string, id: string): string {
         if (type === 'slice') return 'a slice';
+        if (type === 'lines') return 'the streamlines';
         if (type === 'annotation') return 'a note';
         if (type === 'bookmark') return 'a view';
         const { rakes, surfaces } = this.state;

@@ -54,7 +54,8 @@ export interface FilmOptions {
     playback: Playback;
     bodyFields: Pick<BodyFields, 'status'>;
     controls: Pick<CameraControls, 'place' | 'pose'>;
-    slices: { waiting: ReadonlySignal<boolean> };
+    /** Slices and lines. */
+    fieldsShown: { waiting: ReadonlySignal<boolean> };
     figure: Figure;
 }
 
@@ -163,7 +164,7 @@ export class FilmMaker {
     }
 
     private async show(time: number): Promise<void> {
-        const { playback, worker, state, bodyFields, slices } = this.options;
+        const { playback, worker, state, bodyFields, fieldsShown } = this.options;
         const moving = playback.mode.value === 'clock';
         if (moving) await worker.call('time.set', { time });
         else if (playback.mode.value === 'frozen') playback.release(time, this.options.edits.gestures.current);
@@ -175,7 +176,7 @@ export class FilmMaker {
             await this.until(() => {
                 const isThere = state.surfaces.value.size === 0 || ['final', 'empty', 'hidden'].includes(state.phase.value);
                 const surfaces = moving ? this.surfacesAt(time) : isThere;
-                return bodyFields.status.value !== 'waiting' && !slices.waiting.value && surfaces;
+                return bodyFields.status.value !== 'waiting' && !fieldsShown.waiting.value && surfaces;
             });
         } finally {
             clearInterval(retry);

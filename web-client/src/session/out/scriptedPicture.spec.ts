@@ -42,9 +42,9 @@ describe('a picture for a program', () => {
         expect(why()).toBe('');
     });
 
-    it('is not whole while a slice is on its way', () => {
+    it('is not whole while a slice or lines are on their way', () => {
         waiting.value = true;
-        expect(why()).toBe('a slice is not there');
+        expect(why()).toBe('a slice or a set of lines is not there');
         waiting.value = false;
         expect(why()).toBe('');
     });

@@ -26,7 +26,7 @@ export function unfinished(
     state: AppState,
     view: Pick<ViewState, 'lookOf'>,
     bodyFields: Pick<BodyFields, 'status'>,
-    slices: { waiting: ReadonlySignal<boolean> },
+    fieldsShown: { waiting: ReadonlySignal<boolean> },
     time: number | null,
 ): string {
     const stage = state.stage.value;
@@ -39,7 +39,7 @@ export function unfinished(
         const why = unfinishedSurface(state, view, record, time);
         if (why !== '') return why;
     }
-    if (slices.waiting.value) return 'a slice is not there';
+    if (fieldsShown.waiting.value) return 'a slice or a set of lines is not there';
     return bodyFields.status.value === 'waiting' ? 'the values along the body are not there' : '';
 }
 
@@ -48,7 +48,8 @@ export interface PageParts {
     view: Pick<ViewState, 'lookOf'>;
     scene: FlowScene;
     bodyFields: Pick<BodyFields, 'status'>;
-    slices: { waiting: ReadonlySignal<boolean> };
+    /** Slices and lines. */
+    fieldsShown: { waiting: ReadonlySignal<boolean> };
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
     figure: Figure;
@@ -65,10 +66,10 @@ export interface ScriptedPage {
 }
 
 export function scriptedPage(parts: PageParts): ScriptedPage {
-    const { state, view, bodyFields, slices, figure } = parts;
+    const { state, view, bodyFields, fieldsShown, figure } = parts;
     return {
         parts,
-        unfinished: (time) => unfinished(state, view, bodyFields, slices, time),
+        unfinished: (time) => unfinished(state, view, bodyFields, fieldsShown, time),
         picture: async ({ width, height, background, caption, bar, axes, rake }) => {
             figure.bar.value = bar;
             figure.axes.value = axes;

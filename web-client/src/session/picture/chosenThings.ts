@@ -4,10 +4,10 @@ import { effect, untracked } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import { bodyId, opacityOf, shows } from '../../state/pageView.ts';
-import { newSlice, type ViewState } from '../../state/viewState.ts';
+import type { ViewState } from '../../state/viewState.ts';
 
 export interface ChosenThingsOptions {
-    state: Pick<AppState, 'activeRake' | 'activeSurface' | 'dataset' | 'rakes' | 'slices' | 'surfaces'>;
+    state: Pick<AppState, 'activeRake' | 'activeSurface' | 'dataset' | 'lines' | 'rakes' | 'slices' | 'surfaces'>;
     view: Pick<ViewState, 'changeVisibility' | 'chosenThing' | 'visibility'>;
     scene: { body: Pick<FlowScene['body'], 'setOpacity'>; loop: Pick<FlowScene['loop'], 'request'> };
 }
@@ -26,9 +26,10 @@ export function connectChosenThings({ state, view, scene }: ChosenThingsOptions)
     // Only what was there can be gone: a link is read before the records are here.
     const seen = new Set<string>();
     effect(() => {
-        const there = new Set([...state.rakes.value.keys(), ...state.surfaces.value.keys(), ...state.slices.value.keys()]);
+        const { rakes, surfaces, slices, lines } = state;
+        const there = new Set([rakes, surfaces, slices, lines].flatMap(({ value }) => [...value.keys()]));
         if (state.dataset.value?.obstacle === true) there.add(bodyId);
-        const isGone = (id: string | null): boolean => id !== null && id !== newSlice && seen.has(id) && !there.has(id);
+        const isGone = (id: string | null): boolean => id !== null && seen.has(id) && !there.has(id);
         for (const id of there) seen.add(id);
         if (isGone(view.chosenThing.value)) view.chosenThing.value = null;
         if (isGone(view.visibility.value.only)) untracked(() => view.changeVisibility({ only: null }));

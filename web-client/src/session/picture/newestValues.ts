@@ -1,7 +1,9 @@
 // Values of things in the picture as the server has them: of each thing one request at a time, coarse while it changes and fine once it
 // stands still. What came meanwhile is asked for next, the newest alone; a fine request that is out of date is cancelled, a coarse one is
 // nearly here and shown, so that what is dragged never waits for its last place.
+import { computed, effect, untracked } from '@preact/signals-core';
 import { faultOf, requestWords } from '../../connection/ownServer.ts';
+import type { AppState } from '../../state/appState.ts';
 
 /** How finely values are asked for. Both the same: they are asked for once. */
 export interface Detail {
@@ -124,4 +126,13 @@ export class NewestValues<W, V> {
         this.next(id, thing);
         this.options.changed?.();
     }
+}
+
+/** Calls back whenever the data are others, or the server is there again: what could not be had may be there now. */
+export function onOtherData(state: Pick<AppState, 'datasetEntry' | 'stage'>, again: () => void): void {
+    const data = computed(() => JSON.stringify([state.datasetEntry.value?.values, state.datasetEntry.value?.steps.ready]));
+    effect(() => {
+        void data.value;
+        if (state.stage.value === 'running') untracked(again);
+    });
 }

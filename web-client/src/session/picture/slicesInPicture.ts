@@ -1,6 +1,6 @@
 // Slices of the session: their records in the picture, at the time of the picture, and the edits of this page, which are drawn before the
 // server has answered. Loaded after the first picture.
-import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
+import { effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
 import type { SliceRecord, Vec3 } from '../../protocol/messages.ts';
 import { type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -14,6 +14,7 @@ import { opacityOf, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { putInto } from '../base/mapSignal.ts';
 import type { Edits } from '../edits/edits.ts';
 import { RecordDrafts } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
@@ -21,6 +22,7 @@ import { SlicePoints } from '../tools/slicePoints.ts';
 import { FieldColours, type FieldMeaning } from './fieldColours.ts';
 import { planeWords } from './planeWords.ts';
 import { SliceArrows } from './sliceArrows.ts';
+import { onOtherData } from './newestValues.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
@@ -68,7 +70,7 @@ export class Slices {
             fetch: (path, init) => server.fetch(path, init),
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
             arrived: (id, raster, wish) => this.arrived(id, raster, wish),
-            told: (id, fault) => this.tell(id, fault),
+            told: (id, fault) => putInto(this.faults, id, fault),
             changed: () => this.count(),
         });
         const arrows = new SliceArrowLayer();
@@ -89,15 +91,9 @@ export class Slices {
         });
         this.places = this.drafts.places;
         effect(() => this.wishAll());
-        // What could not be had may be there now, or be other values.
-        const data = computed(() => JSON.stringify([state.datasetEntry.value?.values, state.datasetEntry.value?.steps.ready]));
-        effect(() => {
-            void data.value;
-            if (state.stage.value !== 'running') return;
-            untracked(() => {
-                this.values.again();
-                this.arrows.again();
-            });
+        onOtherData(state, () => {
+            this.values.again();
+            this.arrows.again();
         });
         effect(() => {
             const id = options.view.chosenThing.value ?? '';
@@ -194,7 +190,7 @@ export class Slices {
         this.arrows.remove(id);
         this.layer.remove(id);
         this.rasters.delete(id);
-        this.tell(id, null);
+        putInto(this.faults, id, null);
         this.colours.forget(id);
         this.options.scene.loop.request();
     }
@@ -210,7 +206,7 @@ export class Slices {
         }
         this.draw(id, raster);
         const lacks = raster.inFlow === 0 ? 'This plane meets only bodies.' : `${field} has no values here at this time.`;
-        this.tell(id, usual === null ? lacks : null);
+        putInto(this.faults, id, usual === null ? lacks : null);
     }
 
     private draw(id: string, raster: SliceRaster): void {
@@ -220,14 +216,6 @@ export class Slices {
         const opacity = opacityOf(this.options.view.visibility.peek(), id);
         this.layer.set(id, raster, seen ? { ...meaning, contours, opacity } : null);
         this.options.scene.loop.request();
-    }
-
-    private tell(id: string, fault: string | null): void {
-        if ((this.faults.peek().get(id) ?? null) === fault) return;
-        const faults = new Map(this.faults.peek());
-        if (fault === null) faults.delete(id);
-        else faults.set(id, fault);
-        this.faults.value = faults;
     }
 }
 

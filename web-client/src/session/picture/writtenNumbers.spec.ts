@@ -35,7 +35,7 @@ describe('units', () => {
     it('come with the session to whoever joins', () => {
         const { state, view } = bench();
         const clock = { time: null, from: null, to: null, playing: false, speed: 1, loop: false };
-        const none = { rakes: [], surfaces: [], slices: [], bookmarks: [], annotations: [], clock };
+        const none = { rakes: [], surfaces: [], slices: [], lines: [], bookmarks: [], annotations: [], clock };
         adoptSnapshot(state, { session: 'main', name: 'main', units: { length: 'mm', time: 'ms' }, ...none });
         expect(view.units.value).toEqual({ length: 'mm', time: 'ms' });
         adoptSnapshot(state, { session: 'other', name: 'other', ...none });

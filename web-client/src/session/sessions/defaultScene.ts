@@ -8,8 +8,8 @@ import type { AppState } from '../../state/appState.ts';
 import { CallError, type WorkerClient } from '../../worker/workerClient.ts';
 import { announceUnlessDisconnected } from '../base/calls.ts';
 
-export function isEmpty({ rakes, surfaces, slices, bookmarks, annotations }: SessionSnapshot): boolean {
-    return rakes.length + surfaces.length + slices.length + bookmarks.length + annotations.length === 0;
+export function isEmpty({ rakes, surfaces, slices, lines, bookmarks, annotations }: SessionSnapshot): boolean {
+    return rakes.length + surfaces.length + slices.length + lines.length + bookmarks.length + annotations.length === 0;
 }
 
 /** Returns whether any user has: who has taken everything away wants it so. */

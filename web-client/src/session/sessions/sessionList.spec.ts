@@ -8,7 +8,7 @@ import { rememberSession } from './joinSession.ts';
 import { fitting, SessionList } from './sessionList.ts';
 
 function entryOf(session: string, lastUsed = '2026-11-22T10:00:00Z'): SessionEntry {
-    const counts = { participants: 0, rakes: 1, surfaces: 1, slices: 0, bookmarks: 0, annotations: 0 };
+    const counts = { participants: 0, rakes: 1, surfaces: 1, slices: 0, lines: 0, bookmarks: 0, annotations: 0 };
     return {
         session,
         name: `${session}'s name`,

@@ -16,6 +16,7 @@ async function barOf(drawn: Partial<SurfaceSpan>, body: BodySpan | null = null, 
         scene: { surfaces: { spanOf: () => span } },
         bodyFields: { span: signal(body) },
         slices: signal(slices),
+        lines: signal(null),
     });
 }
 

@@ -11,6 +11,8 @@ import { bodyId, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { BodyFields } from '../../session/picture/bodyFields.ts';
 import { ownerName } from '../../session/picture/surfaceOwner.ts';
+import type { FieldMeaning } from '../../session/picture/fieldColours.ts';
+import type { Lines } from '../../session/picture/linesInPicture.ts';
 import type { Slices } from '../../session/picture/slicesInPicture.ts';
 import { intervalError } from '../../session/picture/surfaceStyleOf.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
@@ -24,6 +26,8 @@ export interface ScalarBarModel {
     bodyFields: Pick<BodyFields, 'span'>;
     /** Null: not loaded yet. */
     slices: ReadonlySignal<{ slices: Pick<Slices, 'meanings'> } | null>;
+    /** Likewise. */
+    lines: ReadonlySignal<{ lines: Pick<Lines, 'meanings'> } | null>;
 }
 
 const rangeWords = {
@@ -161,17 +165,26 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
                 bars.set(key, { title, colours, map, inverted, logarithmic, root, bands: bandCount, beyond, rangeOf, of: [of] });
             } else if (!held.of.includes(of)) held.of.push(of);
         }
-        return [...bars.values(), ...this.bodyBar(), ...this.barsOfSlices()];
+        return [...bars.values(), ...this.bodyBar(), ...this.barsOfFields()];
     }
 
-    private barsOfSlices(): Bar[] {
-        const meanings = this.model.slices.value?.slices.meanings.value.values() ?? [];
-        // Slices of one field have the same colours.
-        const fields = new Map([...meanings].map((each) => [each.field, each]));
-        return [...fields.values()].map(({ field, map, range }) => ({
-            ...{ title: this.titleOf(field), colours: range, map, ...plainScale },
-            ...{ beyond: [null, null], rangeOf: null, of: ['slice'] },
-        }));
+    /** Slices and lines of which colours mean the same have one. */
+    private barsOfFields(): Bar[] {
+        const { slices, lines } = this.model;
+        const bars = new Map<string, Bar>();
+        const add = (of: string, meanings: Iterable<FieldMeaning>): void => {
+            for (const { field, map, range } of meanings) {
+                const key = JSON.stringify([field, map, range]);
+                const held = bars.get(key);
+                if (held === undefined) {
+                    const style = { ...plainScale, beyond: [null, null] as [null, null] };
+                    bars.set(key, { title: this.titleOf(field), colours: range, map, ...style, rangeOf: null, of: [of] });
+                } else if (!held.of.includes(of)) held.of.push(of);
+            }
+        };
+        add('slice', slices.value?.slices.meanings.value.values() ?? []);
+        add('streamlines', lines.value?.lines.meanings.value.values() ?? []);
+        return [...bars.values()];
     }
 
     /** @param field  as the server knows it */

@@ -26,7 +26,13 @@ beforeEach(async () => {
     connectChosenThings({ state, view, scene });
     hideSurfaces(state, view);
     const remove = (id: string): Promise<void> => Promise.resolve(void removed.push(id));
-    panel = await ShownPanel.of('wakesurf-picture-list', { state, view, edits, slices: signal({ slices: { places, remove } }) });
+    panel = await ShownPanel.of('wakesurf-picture-list', {
+        state,
+        view,
+        edits,
+        slices: signal({ slices: { places, remove } }),
+        lines: signal(null),
+    });
 });
 
 const names = () => panel.all('.thing .cut:not(.about)').map(({ textContent }) => textContent);

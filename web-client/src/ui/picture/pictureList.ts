@@ -6,7 +6,7 @@ import type { RakeRecord } from '../../protocol/messages.ts';
 import { rakeColour } from '../../session/picture/rakesInPicture.ts';
 import { isolated } from '../../state/announcements.ts';
 import { chosenRake, toggled } from '../../state/pageView.ts';
-import { newSlice } from '../../state/viewState.ts';
+import { newLines, newSlice } from '../../state/viewState.ts';
 import { icon, type IconName } from '../base/icons.ts';
 import { titleOf } from '../base/locked.ts';
 import { ModelElement } from '../base/signalElement.ts';
@@ -197,6 +197,7 @@ export class PictureList extends ModelElement<PictureListModel> {
                 fresh(() => actions.newIsosurface()),
             )}
             ${add('Slice', 'A plane through the data', true, () => (view.chosenThing.value = newSlice))}
+            ${add('Streamlines', 'Lines along the flow at the time of the picture', true, () => (view.chosenThing.value = newLines))}
         </div>`;
     }
 
@@ -313,6 +314,7 @@ const shapes = {
     rake: 'M8 1.5a6.5 6.5 0 1 1 0 13 6.5 6.5 0 0 1 0-13z',
     isosurface: 'M8 2c4-1.5 7 1.5 6 5-.8 3-3 3-4 5.5S4 15 2.5 11 4 3.5 8 2z',
     slice: 'M5 2h10l-4 12H1z',
+    lines: 'M1 5c4-5 9 3 14-2v3c-5 5-10-3-14 2zm0 5c4-5 9 3 14-2v3c-5 5-10-3-14 2z',
     body: 'M8 1.2l6 3.4v6.8l-6 3.4-6-3.4V4.6z',
 } as const;
 

@@ -1,17 +1,18 @@
-// What is in the picture, as rows of one list: rakes with their surfaces, isosurfaces, slices, the body. What comes with another kind of
-// record is another function beside these.
+// What is in the picture, as rows of one list: rakes with their surfaces, isosurfaces, slices, streamlines, the body.
 import type { ReadonlySignal } from '@preact/signals-core';
 import type { RakeRecord, SurfaceRecord } from '../../protocol/messages.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import { surfacesOf } from '../../session/edits/selection.ts';
 import { holderOf, rakeColour } from '../../session/picture/rakesInPicture.ts';
 import { planeWords } from '../../session/picture/planeWords.ts';
+import type { Lines } from '../../session/picture/linesInPicture.ts';
 import type { Slices } from '../../session/picture/slicesInPicture.ts';
 import { isosurfaceWords, ownerColour } from '../../session/picture/surfaceOwner.ts';
 import { attributeOf, qCriterion } from '../../session/picture/surfaceStyleOf.ts';
 import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { bodyId, opacityOf, shows } from '../../state/pageView.ts';
+import { seedsWords } from '../lines/linesPlaces.ts';
 import type { ViewState } from '../../state/viewState.ts';
 
 export interface PictureListModel {
@@ -20,12 +21,13 @@ export interface PictureListModel {
     edits: Edits;
     /** Null: not loaded yet. */
     slices: ReadonlySignal<{ slices: Pick<Slices, 'places' | 'remove'> } | null>;
+    lines: ReadonlySignal<{ lines: Pick<Lines, 'places' | 'remove'> } | null>;
 }
 
 export interface PicturedThing {
     /** Of the record, or bodyId. */
     id: string;
-    kind: 'rake' | 'isosurface' | 'slice' | 'body';
+    kind: 'rake' | 'isosurface' | 'slice' | 'lines' | 'body';
     name: string;
     /** What it is, and what it is coloured by, in short words. */
     about: string;
@@ -43,7 +45,7 @@ export interface PicturedThing {
 }
 
 /** In the order of the list. */
-const kinds: readonly ((model: PictureListModel) => PicturedThing[])[] = [rakes, isosurfaces, slices, body];
+const kinds: readonly ((model: PictureListModel) => PicturedThing[])[] = [rakes, isosurfaces, slices, lines, body];
 
 export function picturedThings(model: PictureListModel): PicturedThing[] {
     return kinds.flatMap((kind) => kind(model));
@@ -109,6 +111,16 @@ function slices({ view, slices: loaded }: PictureListModel): PicturedThing[] {
     return [...(held?.places.value ?? [])].map(([id, { field, origin, normal }]) => ({
         ...{ id, kind: 'slice', name: planeWords(origin, normal), about: isolated(field), title: 'slice', colour: null },
         ...lookedAt(view, id),
+        remove: () => void held?.remove(id),
+    }));
+}
+
+function lines({ view, lines: loaded }: PictureListModel): PicturedThing[] {
+    const held = loaded.value?.lines;
+    return [...(held?.places.value ?? [])].map(([id, { field, ...seeds }]) => ({
+        ...{ id, kind: 'lines', name: seedsWords(seeds), about: isolated(field), title: 'streamlines', colour: null },
+        ...lookedAt(view, id),
+        opacity: null,
         remove: () => void held?.remove(id),
     }));
 }

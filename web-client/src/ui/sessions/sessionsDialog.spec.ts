@@ -17,7 +17,7 @@ let trashed: SessionEntry[];
 let opened: string[];
 
 function entryOf(session: string, name: string, participants = 0): SessionEntry {
-    const counts = { rakes: 1, surfaces: 1, slices: 0, bookmarks: 0, annotations: 0, participants };
+    const counts = { rakes: 1, surfaces: 1, slices: 0, lines: 0, bookmarks: 0, annotations: 0, participants };
     const moments = { created: '2026-11-22T10:00:00Z', lastUsed: '2026-11-22T10:00:00Z' };
     return { session, name, people: [], edited: true, thumbnail: false, ...counts, ...moments };
 }

@@ -13,7 +13,7 @@ export interface LoadedSlices {
 export function loadSlices(options: SlicesOptions): LoadedSlices {
     const { state, view } = options;
     const model = signal<SlicesModel | null>(null);
-    void import('./slicesPanel.ts').then(({ Slices }) => {
+    void import('./openedFields.ts').then(({ Slices }) => {
         model.value = { state, view, slices: new Slices(options) };
     });
     const waiting = computed(() => state.slices.value.size > 0 && (model.value?.slices.waiting.value ?? true));

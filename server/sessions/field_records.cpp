@@ -1,0 +1,89 @@
+// What of a session shows a field of a dataset beside its surfaces: slices and streamlines.
+#include "core/surface/slice/plane_window.hpp"
+#include "server/data/node_fields.hpp"
+#include "server/sessions/session.hpp"
+
+#include <utility>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+std::string& id_of(protocol::SliceRecord& record) {
+    return record.slice;
+}
+
+std::string& id_of(protocol::LinesRecord& record) {
+    return record.lines;
+}
+
+core::Result<void> check_lines(const protocol::LinesRecord& record, const OpenDataset& dataset) {
+    if (record.places.kind == core::LineSeeds::Kind::Walls && !dataset.info.obstacle)
+        return fail(Error::Code::InvalidArgument, "`kind`: the data have no walls",
+                    "release the lines from a line, a plane or a sphere");
+    if (record.low.has_value() != record.high.has_value() ||
+        (record.low && !(*record.low < *record.high)))
+        return fail(Error::Code::InvalidArgument, "`low` and `high` are no range of colours",
+                    "give both, the lower one first, or neither");
+    return core::check_line_seeds(record.places, dataset.flow->domain());
+}
+
+} // namespace
+
+/// Keeps a record of a field. An empty `field` is the velocity. @param check  of what the record says besides
+template <class R, class Check>
+core::Result<R>
+Session::set_field_record(R record, bool is_new, const Author& author, const Check& check) {
+    if (auto may = may_put({type_of_record<R>, id_of(record)}, is_new); !may)
+        return tl::unexpected(may.error());
+    const auto open = services_.datasets.open(record.dataset);
+    if (!open)
+        return tl::unexpected(open.error());
+    if (record.field.empty())
+        record.field = open->info.velocity;
+    if (auto there = find_node_field(record.field, open->info, open->scalars.get()); !there) {
+        there.error().code = Error::Code::InvalidArgument;
+        return tl::unexpected(there.error());
+    }
+    if (auto sound = check(record, *open); !sound)
+        return tl::unexpected(sound.error());
+    if (is_new)
+        id_of(record) = records_.new_id(type_of_record<R>);
+    if (auto sound = may_keep(record); !sound)
+        return tl::unexpected(sound.error());
+    edit({change_to(record)}, author);
+    return *records_.find<R>(id_of(record));
+}
+
+core::Result<protocol::SliceRecord> Session::set_slice(const protocol::SliceSetting& setting,
+                                                       const Author& author) {
+    const protocol::SliceRecord record{
+        setting.slice.value_or(""), 0, setting.dataset, setting.origin, setting.normal,
+        setting.field.value_or("")};
+    return set_field_record(record, !setting.slice, author,
+                            [](const protocol::SliceRecord& made, const OpenDataset& dataset) {
+                                return core::plane_window({made.origin, made.normal},
+                                                          dataset.flow->domain())
+                                    .map([](const core::PlaneWindow&) {});
+                            });
+}
+
+core::Result<protocol::LinesRecord> Session::set_lines(const protocol::LinesSetting& setting,
+                                                       const Author& author) {
+    const protocol::LinesRecord record{setting.lines.value_or(""),
+                                       0,
+                                       setting.dataset,
+                                       setting.places,
+                                       setting.direction,
+                                       setting.duration,
+                                       setting.length,
+                                       setting.low,
+                                       setting.high,
+                                       setting.field.value_or("")};
+    return set_field_record(record, !setting.lines, author, check_lines);
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,102 @@
+// Streamlines of their own: how a set is added, and the settings of the chosen one.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { Vec3 } from '../../protocol/messages.ts';
+import { Lines } from '../../session/picture/linesInPicture.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import { sliderRow } from '../base/rows.ts';
+import { ModelElement } from '../base/signalElement.ts';
+import { aboutPoint, acrossAxis, alongRake, type Bounds, inPlane, offWalls, type SeedsPlace } from './linesPlaces.ts';
+import { linesSettings } from './linesSettings.ts';
+
+/** Loaded with the panel, after the first picture. */
+export { Lines };
+
+export interface LinesModel {
+    state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'lines' | 'slices'>;
+    view: Pick<ViewState, 'chosenThing'>;
+    lines: Lines;
+    /** Returns the place that the camera looks at. */
+    middle: () => Vec3;
+}
+
+export class LinesPanel extends ModelElement<LinesModel> {
+    static override styles = css`
+        .add {
+            display: flex;
+            flex-wrap: wrap;
+            gap: 6px;
+            align-items: center;
+        }
+        .triple {
+            display: grid;
+            grid-template-columns: 4em repeat(3, minmax(0, 1fr));
+            gap: 6px;
+            align-items: center;
+            margin-top: 4px;
+        }
+    `;
+
+    override render(): TemplateResult {
+        const { state, view, lines } = this.model;
+        const dataset = state.dataset.value;
+        if (dataset === null) return html``;
+        const locked = state.locked.value;
+        const id = view.chosenThing.value ?? '';
+        const place = lines.places.value.get(id) ?? null;
+        const said = lines.faults.value.get(id) ?? lines.told.value.get(id);
+        return html`
+            ${locked ? nothing : this.adding(dataset.bounds, dataset.obstacle)}
+            ${said === undefined ? nothing : html`<p role="status" class="quiet" id="streamlines-told">${said}</p>`}
+            ${
+                place === null || locked
+                    ? nothing
+                    : linesSettings({
+                          ...{ place, dataset, meaning: lines.meanings.value.get(id) },
+                          change: (change) => lines.change(id, change),
+                      })
+            }
+            ${
+                place === null
+                    ? nothing
+                    : sliderRow({
+                          ...{ id: 'streamlines-width', words: 'Width', value: lines.width.value, low: 1, high: 8, step: 0.5 },
+                          shown: `${lines.width.value} px`,
+                          change: (value) => (lines.width.value = value),
+                      })
+            }
+        `;
+    }
+
+    private adding(bounds: Bounds, walls: boolean): TemplateResult {
+        const { state, middle } = this.model;
+        const rake = state.rakePoints.value;
+        const slice = [...state.slices.value.values()].at(-1);
+        const button = (id: string, words: string, title: string, of: () => SeedsPlace, disabled = false): TemplateResult =>
+            html`<button type="button" id=${`streamlines-${id}`} title=${title} ?disabled=${disabled} @click=${() => this.add(of())}>
+                ${words}
+            </button>`;
+        return html`<div class="add" role="group" aria-label="Add streamlines">
+            <span>Add from</span>
+            ${button('rake', 'rake', 'Seeds from one end of the active rake to the other', () => alongRake(rake), rake.length < 2)}
+            ${(['x', 'y', 'z'] as const).map((axis, k) =>
+                button(`plane-${axis}`, `plane ${axis}`, `Seeds all over a plane across ${axis}`, () =>
+                    acrossAxis(bounds, k as 0 | 1 | 2, middle()),
+                ),
+            )}
+            ${slice === undefined ? nothing : button('slice', 'slice', 'Seeds all over the newest slice', () => inPlane(bounds, slice.origin, slice.normal))}
+            ${button('sphere', 'sphere', 'Seeds on a sphere about the middle of the picture', () => aboutPoint(bounds, middle()))}
+            ${walls ? button('walls', 'walls', 'Seeds all over the bodies, a little off them', () => offWalls(bounds)) : nothing}
+        </div>`;
+    }
+
+    private async add(seeds: SeedsPlace): Promise<void> {
+        const { state, view, lines } = this.model;
+        const shown = lines.places.value.get(view.chosenThing.value ?? '') ?? [...lines.places.value.values()][0];
+        const field = shown?.field ?? state.dataset.value!.velocity;
+        const made = await lines.add({ ...seeds, direction: 'both', duration: 0, length: 0, field, range: null });
+        if (made !== null) view.chosenThing.value = made;
+    }
+}
+
+customElements.define('wakesurf-streamlines', LinesPanel);
