@@ -57,7 +57,7 @@ describe('a slice', () => {
         await page.mouse.move(handle.x, handle.y);
         await page.mouse.down();
         for (let i = 1; i <= 12; ++i) await page.mouse.move(handle.x, handle.y - 4 * i);
-        await page.getByText(/^z = /).waitFor();
+        await page.locator('.beside-pointer').getByText(/^z = /).waitFor();
         await page.mouse.up();
         await drawn();
         const [moved] = await records();

@@ -17,7 +17,7 @@ import { SampledPicture, samplePlaces } from './sampledPicture.ts';
 import { pairs } from './surface/contactShade.ts';
 import { type BodyColours, DrawnBody } from './surface/drawnBody.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
-import type { PickGrid, PickHit, PickOptions } from './surface/pickHit.ts';
+import { noSurface, type PickGrid, type PickHit, type PickOptions } from './surface/pickHit.ts';
 import { SurfacePick } from './surface/surfacePick.ts';
 import { type Cover, coverOf } from './base/labels.ts';
 import { type Layer, type Part, type ScreenPoint, type ScreenSize, View } from './base/view.ts';
@@ -285,13 +285,9 @@ export class FlowScene {
     /** Returns what is seen at a canvas position: a surface, the body, or a layer that can be pointed at. */
     pick(at: ScreenPoint): PickHit | null {
         const view = this.view();
-        let nearest = this.picker.at(view, this.body.seen, at);
-        for (const layer of this.layers) {
-            const seen = layer.pick?.(view, at) ?? null;
-            if (seen === null || seen.distance >= (nearest?.distance ?? Infinity)) continue;
-            nearest = { surface: null, s: NaN, t: NaN, scalar: NaN, ...seen };
-        }
-        return nearest;
+        const others = this.layers.flatMap((layer) => layer.pick?.(view, at) ?? []).map((seen) => ({ ...noSurface, ...seen }));
+        const hits = [this.picker.at(view, this.body.seen, at) ?? [], others].flat();
+        return hits.sort((a, b) => a.distance - b.distance)[0] ?? null;
     }
 
     pickGrid(at: ScreenPoint, radiusPx: number, options: PickOptions): PickGrid {

@@ -10,6 +10,8 @@ export interface PickHit extends SeenPoint {
     scalar: number;
 }
 
+export const noSurface = { surface: null, s: NaN, t: NaN, scalar: NaN };
+
 export interface PickOptions {
     /** Also what the painter has hidden. */
     throughPaint?: boolean;
