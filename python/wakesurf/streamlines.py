@@ -30,7 +30,7 @@ class Streamlines:
     seed: Array  # which seed each line began at
     seeds: int
     outside: int  # seeds in bodies or outside of the domain: they have no line
-    cut: int  # ends of lines that are where a line may have no more points
+    cut: int  # ends of lines at the limit of points for a line
     field: str
     time: float
 

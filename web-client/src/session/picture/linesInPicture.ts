@@ -166,7 +166,7 @@ export function linesWords({ offsets, seeds, outside, ends }: LinesFile): string
     if (outside > 0) {
         said.push(`${outside} of ${seeds} ${seeds === 1 ? 'seed lies' : 'seeds lie'} outside of the flow or in a body.`);
     }
-    if (ends.cut > 0) said.push(`${ends.cut === 1 ? '1 end is' : `${ends.cut} ends are`} where a line may have no more points.`);
+    if (ends.cut > 0) said.push(`${ends.cut === 1 ? '1 line ends' : `${ends.cut} lines end`} at the limit of points for a line.`);
     return said.join(' ');
 }
 

@@ -77,6 +77,9 @@ export class PictureList extends ModelElement<PictureListModel> {
             gap: 6px;
             margin-top: 8px;
         }
+        .add button {
+            padding-inline: 7px;
+        }
         .actions {
             grid-template-columns: auto auto auto 1fr auto auto;
         }
@@ -165,10 +168,16 @@ export class PictureList extends ModelElement<PictureListModel> {
     private adding(locked: boolean): TemplateResult {
         const { state, view, edits } = this.model;
         const { actions } = edits;
-        const add = (words: string, title: string, can: boolean, action: () => void): TemplateResult =>
+        const add = (
+            words: string,
+            title: string,
+            can: boolean,
+            action: () => void,
+            name = words.toLowerCase(),
+        ): TemplateResult =>
             html`<button
                 type="button"
-                aria-label=${`New ${words.toLowerCase()}`}
+                aria-label=${`New ${name}`}
                 title=${titleOf(state, title)}
                 ?disabled=${locked || !can}
                 @click=${action}
@@ -197,7 +206,7 @@ export class PictureList extends ModelElement<PictureListModel> {
                 fresh(() => actions.newIsosurface()),
             )}
             ${add('Slice', 'A plane through the data', true, () => (view.chosenThing.value = newSlice))}
-            ${add('Streamlines', 'Lines along the flow at the time of the picture', true, () => (view.chosenThing.value = newLines))}
+            ${add('Lines', 'Streamlines at the time of the picture', true, () => (view.chosenThing.value = newLines), 'streamlines')}
         </div>`;
     }
 
