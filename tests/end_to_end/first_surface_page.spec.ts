@@ -147,7 +147,7 @@ it('saves a picture and a mesh, offers a film, and copies a script', async () =>
         await page.getByRole('button', { name: button }).click();
         expect((await download).suggestedFilename()).toMatch(name);
     }
-    expect(await page.getByRole('button', { name: 'Record WebM' }).isEnabled()).toBe(true);
+    expect(await page.getByRole('button', { name: 'Record', exact: true }).isEnabled()).toBe(true);
     await tab('Flow');
     await page
         .getByRole('complementary')

@@ -19,7 +19,7 @@ async function records(): Promise<LinesRecord[]> {
 }
 
 it('streamlines are released from a sphere, named by their field, taken back by one undo, and there for those who come later', async () => {
-    await page.getByRole('button', { name: 'New streamlines' }).click();
+    await page.getByRole('button', { name: 'New lines' }).click();
     await page.locator('#streamlines-sphere').click();
     await page.getByText('50 lines.').waitFor();
     await page.waitForFunction(() => window.wakesurf?.unfinished(null) === '');

@@ -18,6 +18,7 @@ import { frameFirstSurface } from './session/picture/initialView.ts';
 import { announceLostGraphics, showStillPictures, showTheme } from './session/picture/drawingSettings.ts';
 import { showMarks } from './session/picture/marksInPicture.ts';
 import { Measuring, Noting, Probing } from './session/tools/pointTools.ts';
+import { FieldColours } from './session/picture/fieldColours.ts';
 import { connectChosenThings } from './session/picture/chosenThings.ts';
 import { hideSurfaces, measurePixels, showLooks } from './session/picture/looksInPicture.ts';
 import { BodyFields } from './session/picture/bodyFields.ts';
@@ -158,7 +159,8 @@ function start(app: App): void {
         time: () => playback.time.value,
         moves: () => playback.mode.value === 'clock',
     });
-    const inPicture = { state, view, scene, server, worker, edits, time: () => playback.time.value };
+    const colours = new FieldColours();
+    const inPicture = { state, view, scene, colours, server, worker, edits, time: () => playback.time.value };
     const [slices, lines] = [loadSlices(inPicture), loadLines(inPicture)];
     const fieldsShown = { waiting: computed(() => slices.waiting.value || lines.waiting.value) };
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
@@ -186,7 +188,8 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => pointing.flush());
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
-    Object.assign(window, { wakesurf: scriptedPage({ state, view, scene, bodyFields, fieldsShown, latency, canvas, figure }) });
+    const parts = { state, view, scene, bodyFields, fieldsShown };
+    Object.assign(window, { wakesurf: scriptedPage({ ...parts, slices: slices.model, latency, canvas, figure }) });
     recallPanel(view);
     listenForViewKeys({ view, scene, people });
     listenForPresses(edits.gestures, () => state.notices.passed('press'));

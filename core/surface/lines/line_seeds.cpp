@@ -13,6 +13,7 @@ namespace {
 
 /// Parts of the domain's diagonal: what is smaller has seeds that lie on each other.
 constexpr double least_size = 1e-6;
+constexpr double farthest = 1e6;
 
 tl::unexpected<Error> unfit(const std::string& what, const std::string& hint) {
     return fail(Error::Code::InvalidArgument, what, hint);
@@ -117,6 +118,10 @@ Result<void> check_line_seeds(const LineSeeds& seeds, const Box& domain) {
         if (!finite(each))
             return unfit("`points` are not finite numbers", "choose points in the domain");
     const double diagonal = domain.diagonal();
+    // Lengths between points farther away are not finite, or have no digits left for the domain.
+    for (const Vec3& each : seeds.points)
+        if (!(glm::length(each - domain.lo) <= farthest * diagonal))
+            return unfit("`points` are far outside of the domain", "choose points in it");
     if (seeds.kind == Kind::Sphere || seeds.kind == Kind::Walls) {
         if (auto sound = check_distance(seeds, diagonal); !sound)
             return sound;

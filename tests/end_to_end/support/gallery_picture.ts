@@ -16,7 +16,8 @@ export async function sceneFigure(server: ServerProcess, browser: Browser, scene
     const page = await openPage(context, await linkTo(server, scene));
     await settled(page);
     const [width, height] = scene.size ?? [960, 600];
-    const bar = scene.look.colourBy !== 'constant';
+    const coloured = scene.slices ?? scene.lines ?? scene.body?.colourBy;
+    const bar = scene.look.colourBy !== 'constant' || coloured !== undefined;
     await chooseFigure(page, { width, height, rake: scene.rake ?? false, axes: scene.axes ?? false, bar });
     return { png: await savedFigure(page), page };
 }

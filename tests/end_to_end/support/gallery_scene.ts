@@ -5,6 +5,7 @@ import type { Page } from 'playwright-core';
 import type { PageView } from '../../../web-client/src/state/pageView.ts';
 import { encodeLinkState } from '../../../web-client/src/session/view/urlState.ts';
 import type { BodyLook } from '../../../web-client/src/state/bodyLook.ts';
+import type { SliceLook } from '../../../web-client/src/state/sliceLook.ts';
 import type { SurfaceLook } from '../../../web-client/src/state/surfaceLook.ts';
 import type { Vec3 } from '../../../web-client/src/protocol/messages.ts';
 import { finalSurface } from './browser_page.ts';
@@ -26,6 +27,10 @@ export interface Scene {
     /** The flow along the body is shown on it. */
     body?: Partial<BodyLook>;
     axes?: boolean;
+    /** As slice.set and lines.set take them. */
+    slices?: Record<string, unknown>[];
+    lines?: Record<string, unknown>[];
+    sliceLook?: Partial<SliceLook>;
     size?: [number, number];
 }
 
@@ -65,11 +70,14 @@ export async function linkTo(server: ServerProcess, scene: Scene): Promise<strin
     if (scene.family !== undefined) await server.call('family.make', { dataset, ...scene.family });
     const { surface } = await server.call('surface.set', { session, rake, dataset, ...more, ...parameters });
     await server.call('surface.wait', { session, surface, timeoutMs: 120_000 });
+    for (const slice of scene.slices ?? []) await server.call('slice.set', { session, dataset, ...slice });
+    for (const lines of scene.lines ?? []) await server.call('lines.set', { session, dataset, ...lines });
     const view: PageView = {
         camera: { ...scene.camera, orthographic: false },
         surface: String(surface),
         looks: { [String(surface)]: scene.look },
         ...(scene.body === undefined ? {} : { body: scene.body }),
+        ...(scene.sliceLook === undefined ? {} : { slices: scene.sliceLook }),
     };
     const state = encodeLinkState({ view, rakes: [], surfaces: [] });
     return `${server.link}&session=${session}&dataset=${encodeURIComponent(dataset)}&state=${state}`;

@@ -32,6 +32,8 @@ export interface PageFacts extends Omit<ScriptedPage, 'parts'> {
     readonly bounds: readonly number[] | null;
     readonly speedRange: [number, number];
     readonly latencySamples: LatencySample[];
+    /** From changes of slices by this page to their pictures, in milliseconds. */
+    readonly sliceLags: number[];
     readonly roundTripMs: number | null;
     /** From the start of the page to the first frame that shows the domain. */
     readonly firstPictureMs: number | null;
@@ -70,7 +72,7 @@ declare global {
 
 /** Runs in the page, and therefore uses nothing of this file. */
 function factsOf(scripted: ScriptedPage): PageFacts {
-    const { state, scene, latency, canvas, figure } = scripted.parts;
+    const { state, scene, slices, latency, canvas, figure } = scripted.parts;
     const active = (): string => state.activeSurface.value ?? '';
     const displayed = (): DisplayedSurface | undefined => state.displayed.value.get(active());
     const requested = (): number => state.requestedEpochs.value.get(active()) ?? 0;
@@ -127,6 +129,9 @@ function factsOf(scripted: ScriptedPage): PageFacts {
         },
         get latencySamples() {
             return [...latency.samples];
+        },
+        get sliceLags() {
+            return [...(slices.value?.slices.lags ?? [])];
         },
         get roundTripMs() {
             return state.roundTripMs.value;

@@ -233,8 +233,11 @@ export class SessionController {
             there = (await this.sessionJoin.enter(there.session)).snapshot;
         }
         if (isEmpty(joined.snapshot) === isEmpty(there)) {
-            const surfaces = lost.surfaces.filter((each) => each.dataset === dataset);
-            const made = await recoverSession(worker, { ...lost, surfaces }, there);
+            const shown = <Of extends { dataset: string }>(records: Of[]): Of[] =>
+                records.filter((each) => each.dataset === dataset);
+            const { surfaces, slices, lines } = lost;
+            const content = { ...lost, surfaces: shown(surfaces), slices: shown(slices), lines: shown(lines) };
+            const made = await recoverSession(worker, content, there);
             // An edit of meanwhile lies below what was made again, for the server.
             edits.history.clear();
             views.recovered(made);
@@ -248,7 +251,8 @@ export class SessionController {
     private datasetOf(snapshot: SessionSnapshot): string | null {
         const { state, url } = this.options;
         const linked = url.dataset ?? url.state?.surfaces[0]?.dataset ?? null;
-        return snapshot.surfaces[0]?.dataset ?? state.dataset.value?.dataset ?? linked;
+        const [first] = [snapshot.surfaces, snapshot.slices, snapshot.lines].flat();
+        return first?.dataset ?? state.dataset.value?.dataset ?? linked;
     }
 
     /** The address asks for a dataset, and the session shows another. */

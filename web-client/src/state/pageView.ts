@@ -3,6 +3,7 @@
 // anything may be missing or wrong in it; that is left out.
 import { type BodyLook, decodeBody, encodeBody } from './bodyLook.ts';
 import { isVec3, type Vec3 } from '../protocol/messages.ts';
+import { decodeLines, encodeLines, type LineLook } from './lineLook.ts';
 import { decodeSlices, encodeSlices, type SliceLook } from './sliceLook.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from './surfaceLook.ts';
 
@@ -17,6 +18,8 @@ export interface PageView {
     body?: Partial<BodyLook>;
     /** What differs from the usual look of slices. */
     slices?: Partial<SliceLook>;
+    /** What differs from the usual look of streamlines. */
+    lines?: Partial<LineLook>;
     /** By surface, what the painter has revealed, as the scene encodes it. */
     masks?: Record<string, string>;
     /** What is hidden or locked, as encodeVisibility makes it; not there: nothing. */
@@ -29,7 +32,7 @@ const maskText = /^[\w-]{1,800}$/;
 export function readPageView(value: unknown): PageView {
     const view: PageView = {};
     if (typeof value !== 'object' || value === null) return view;
-    const { camera, surface, looks, clip, body, bodyTexture, slices, masks, shown } = value as Record<string, unknown>;
+    const { camera, surface, looks, clip, body, bodyTexture, slices, lines, masks, shown } = value as Record<string, unknown>;
     const pose = camera as Record<string, unknown> | null | undefined;
     const [position, target] = [pose?.['position'], pose?.['target']];
     if (isVec3(position) && isVec3(target) && String(position) !== String(target)) {
@@ -49,6 +52,7 @@ export function readPageView(value: unknown): PageView {
     // Links of old have the texture by itself.
     if (body !== undefined || bodyTexture === true) view.body = encodeBody(decodeBody(body ?? { texture: true }));
     if (slices !== undefined) view.slices = encodeSlices(decodeSlices(slices));
+    if (lines !== undefined) view.lines = encodeLines(decodeLines(lines));
     const encoded = encodeVisibility(decodeVisibility(shown));
     if (encoded !== undefined) view.shown = encoded;
     return view;

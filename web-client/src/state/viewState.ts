@@ -6,6 +6,7 @@ import type { Vec3 } from '../protocol/messages.ts';
 import { type AutomaticRanges, type SurfaceLook, usualLook } from './surfaceLook.ts';
 import { allShown, type ClipPlanes, noClip, type Visibility } from './pageView.ts';
 import { noUnits, type Units } from './appState.ts';
+import { type LineLook, plainLines } from './lineLook.ts';
 import { plainSlices, type SliceLook } from './sliceLook.ts';
 
 /** What a click on the picture does. */
@@ -101,6 +102,7 @@ export class ViewState {
     readonly clip = signal<ClipPlanes>(noClip);
     readonly body = signal<BodyLook>(plainBody);
     readonly slices = signal<SliceLook>(plainSlices);
+    readonly lines = signal<LineLook>(plainLines);
     /** The size of a unit of length where the camera looks, once it rests. */
     readonly pixelsPerLength = signal(1);
     /** The parts of the selected surface are listed. */

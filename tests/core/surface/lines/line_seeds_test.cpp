@@ -106,6 +106,7 @@ TEST(LineSeeds, ThatCannotBeAreRefusedWithTheCure) {
     expect({Kind::Plane, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, 0.0, 9}, "lie on a line");
     expect({Kind::Line, {{5, 0, 0}, {6, 0, 0}}, 0.0, 9}, "in x it goes from -1 to 1");
     expect({Kind::Sphere, {{5, 0, 0}}, 0.5, 9}, "move them inside it");
+    expect({Kind::Plane, {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}}, 0.0, 9}, "far outside");
     EXPECT_EQ(refusal({Kind::Sphere, {{1.2, 0, 0}}, 0.5, 9}), "");
     EXPECT_EQ(refusal({Kind::Plane, {{0, 0, 0}, {9, 0, 0}, {0, 9, 0}}, 0.0, 9}), "");
 }

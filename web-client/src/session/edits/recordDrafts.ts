@@ -84,7 +84,9 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
         try {
             for (let sent: P | undefined; sent !== this.drafts.get(id);) {
                 sent = this.drafts.get(id)!;
-                const { dataset } = records.value.get(id)!;
+                const dataset = records.value.get(id)?.dataset;
+                // Someone has deleted it.
+                if (dataset === undefined) break;
                 const gesture = edits.gestures.slid(this.acts.get(id) ?? id, performance.now());
                 await set(id, dataset, sent, gesture);
                 edits.history.noted(gesture);

@@ -150,7 +150,8 @@ export class FilmMaker {
         const { state, view } = this.options;
         const recording = this.progress.value;
         const sampled = spread(times, maxRangeSamples);
-        for (const [i, time] of automaticRanges(state, view).size === 0 ? [] : sampled.entries()) {
+        const coloured = automaticRanges(state, view).size + state.slices.value.size + state.lines.value.size > 0;
+        for (const [i, time] of coloured ? sampled.entries() : []) {
             this.progress.value = { ...recording, state: 'measuring', done: i, frames: sampled.length };
             await this.show(time);
         }
@@ -165,17 +166,17 @@ export class FilmMaker {
 
     private async show(time: number): Promise<void> {
         const { playback, worker, state, bodyFields, fieldsShown } = this.options;
-        const moving = playback.mode.value === 'clock';
-        if (moving) await worker.call('time.set', { time });
-        else if (playback.mode.value === 'frozen') playback.release(time, this.options.edits.gestures.current);
+        const clocked = this.clocked;
+        if (clocked) await worker.call('time.set', { time });
+        if (playback.mode.value === 'frozen') playback.release(time, this.options.edits.gestures.current);
         // Another user may have moved the clock since.
-        const retry = moving
+        const retry = clocked
             ? setInterval(() => void worker.call('time.set', { time }).catch(() => undefined), resendEveryMs)
             : undefined;
         try {
             await this.until(() => {
-                const isThere = state.surfaces.value.size === 0 || ['final', 'empty', 'hidden'].includes(state.phase.value);
-                const surfaces = moving ? this.surfacesAt(time) : isThere;
+                // The release of a stream surface is on its way.
+                const surfaces = state.phase.value !== 'updating' && this.surfacesAt(clocked ? time : null);
                 return bodyFields.status.value !== 'waiting' && !fieldsShown.waiting.value && surfaces;
             });
         } finally {
@@ -183,8 +184,14 @@ export class FilmMaker {
         }
     }
 
+    /** Surfaces that the session's clock moves: also those beside a stream surface, whose field is frozen at other times. */
+    private get clocked(): boolean {
+        const { playback, state } = this.options;
+        return playback.mode.value !== 'none' && [...state.surfaces.value.values()].some(({ kind }) => kind !== 'stream');
+    }
+
     /** All that move are drawn as they are at this time, within their own. */
-    private surfacesAt(time: number): boolean {
+    private surfacesAt(time: number | null): boolean {
         const { state, view } = this.options;
         const done = (record: SurfaceRecord): boolean =>
             state.surfaceErrors.value.has(record.surface) || unfinishedSurface(state, view, record, time) === '';
@@ -224,12 +231,8 @@ export class FilmMaker {
 
     private async putBack(clock: ClockRecord | null, frozenAt: number): Promise<void> {
         const { playback, worker } = this.options;
-        if (playback.mode.value === 'none') return;
-        if (playback.mode.value === 'frozen') {
-            playback.release(frozenAt, this.options.edits.gestures.current);
-            return;
-        }
-        if (clock === null) return;
+        if (playback.mode.value === 'frozen') playback.release(frozenAt, this.options.edits.gestures.current);
+        if (clock === null || !this.clocked) return;
         await worker.call('time.set', { time: clock.time });
         if (!clock.playing || clock.from === null || clock.to === null) return;
         const { speed, loop, from, to } = clock;

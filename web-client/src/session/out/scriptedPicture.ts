@@ -8,6 +8,7 @@ import type { LatencyLog } from '../../state/latency.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { type Figure, unfinishedSurface } from './figure.ts';
 import type { BodyFields } from '../picture/bodyFields.ts';
+import type { Slices } from '../picture/slicesInPicture.ts';
 import { addressWith } from './recipes.ts';
 
 export interface ScriptedSetting {
@@ -50,6 +51,7 @@ export interface PageParts {
     bodyFields: Pick<BodyFields, 'status'>;
     /** Slices and lines. */
     fieldsShown: { waiting: ReadonlySignal<boolean> };
+    slices: ReadonlySignal<{ slices: Pick<Slices, 'lags'> } | null>;
     latency: LatencyLog;
     canvas: HTMLCanvasElement;
     figure: Figure;

@@ -3,11 +3,11 @@
 import { effect, untracked } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
-import { bodyId, opacityOf, shows } from '../../state/pageView.ts';
+import { bodyId, chosenRake, opacityOf, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 
 export interface ChosenThingsOptions {
-    state: Pick<AppState, 'activeRake' | 'activeSurface' | 'dataset' | 'lines' | 'rakes' | 'slices' | 'surfaces'>;
+    state: Pick<AppState, 'activeRake' | 'activeSurface' | 'dataset' | 'lines' | 'rakes' | 'slices' | 'stage' | 'surfaces'>;
     view: Pick<ViewState, 'changeVisibility' | 'chosenThing' | 'visibility'>;
     scene: { body: Pick<FlowScene['body'], 'setOpacity'>; loop: Pick<FlowScene['loop'], 'request'> };
 }
@@ -32,6 +32,9 @@ export function connectChosenThings({ state, view, scene }: ChosenThingsOptions)
         const isGone = (id: string | null): boolean => id !== null && seen.has(id) && !there.has(id);
         for (const id of there) seen.add(id);
         if (isGone(view.chosenThing.value)) view.chosenThing.value = null;
-        if (isGone(view.visibility.value.only)) untracked(() => view.changeVisibility({ only: null }));
+        // A link may show alone what was deleted since; whoever opens it must not see nothing.
+        const { only } = view.visibility.value;
+        const records = state.stage.value === 'running' && only !== null && only !== chosenRake;
+        if (records && !there.has(only)) untracked(() => view.changeVisibility({ only: null }));
     });
 }

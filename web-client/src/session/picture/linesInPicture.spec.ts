@@ -3,6 +3,7 @@ import type { LinesRecord } from '../../protocol/messages.ts';
 import { linesFileOf } from '../../protocol/testing/linesFile.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { rested } from '../../testing/shownPanel.ts';
+import { FieldColours } from './fieldColours.ts';
 import { Lines } from './linesInPicture.ts';
 import { linesPath } from './linesValues.ts';
 
@@ -23,7 +24,14 @@ function linesOf(page: PageBench) {
         outside: 8,
     });
     const lines = new Lines({
-        ...{ state: page.state, view: page.view, worker: page.worker, edits: page.edits, time: () => 9 },
+        ...{
+            state: page.state,
+            view: page.view,
+            worker: page.worker,
+            edits: page.edits,
+            time: () => 9,
+            colours: new FieldColours(),
+        },
         scene: { add: () => undefined, loop: { request: () => undefined } },
         server: {
             fetch: (path) => {

@@ -14,13 +14,15 @@ import { putInto } from '../base/mapSignal.ts';
 import type { Edits } from '../edits/edits.ts';
 import { RecordDrafts } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
-import { FieldColours, type FieldMeaning } from './fieldColours.ts';
+import type { FieldColours, FieldMeaning } from './fieldColours.ts';
 import { LinesValues, type LinesWish } from './linesValues.ts';
 import { onOtherData } from './newestValues.ts';
 
 export interface LinesOptions {
     state: AppState;
-    view: Pick<ViewState, 'visibility'>;
+    view: Pick<ViewState, 'lines' | 'visibility'>;
+    /** Shared with slices. */
+    colours: FieldColours;
     scene: Pick<FlowScene, 'add'> & { loop: Pick<FlowScene['loop'], 'request'> };
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
@@ -49,23 +51,22 @@ export class Lines {
     readonly told = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there. */
     readonly waiting = signal(false);
-    /** In pixels; a look of this page. */
-    readonly width = signal(3);
     private readonly options: LinesOptions;
     private readonly layer = new LineLayer();
     private readonly values: LinesValues;
-    private readonly colours = new FieldColours();
+    private readonly colours: FieldColours;
     private readonly drafts: RecordDrafts<LinesRecord, LinesPlace>;
     private readonly files = new Map<string, LinesFile>();
 
     constructor(options: LinesOptions) {
         this.options = options;
-        const { state, scene, server, worker, edits } = options;
+        this.colours = options.colours;
+        const { state, view, scene, server, worker, edits } = options;
         scene.add(this.layer);
         this.values = new LinesValues({
             fetch: (path, init) => server.fetch(path, init),
             arrived: (id, lines, wish) => this.arrived(id, lines, wish),
-            told: (id, fault) => putInto(this.faults, id, fault),
+            told: (id, fault) => this.tell(id, fault),
             changed: () => (this.waiting.value = this.values.unfinished),
         });
         this.drafts = new RecordDrafts<LinesRecord, LinesPlace>({
@@ -82,7 +83,7 @@ export class Lines {
         effect(() => this.wishAll());
         effect(() => this.paint());
         effect(() => {
-            this.layer.setWidth(this.width.value);
+            this.layer.setWidth(view.lines.value.width);
             scene.loop.request();
         });
         onOtherData(state, () => this.values.again());
@@ -99,6 +100,15 @@ export class Lines {
 
     remove(id: string): Promise<void> {
         return this.drafts.remove(id);
+    }
+
+    /** Lines of another time are not left where these could not be had. */
+    private tell(id: string, fault: string | null): void {
+        putInto(this.faults, id, fault);
+        if (fault === null) return;
+        this.layer.remove(id);
+        this.files.delete(id);
+        this.options.scene.loop.request();
     }
 
     private wishAll(): void {
@@ -166,7 +176,7 @@ export function linesWords({ offsets, seeds, outside, ends }: LinesFile): string
     if (outside > 0) {
         said.push(`${outside} of ${seeds} ${seeds === 1 ? 'seed lies' : 'seeds lie'} outside of the flow or in a body.`);
     }
-    if (ends.cut > 0) said.push(`${ends.cut === 1 ? '1 line ends' : `${ends.cut} lines end`} at the limit of points for a line.`);
+    if (ends.cut > 0) said.push(`${ends.cut === 1 ? '1 end is' : `${ends.cut} ends are`} at the limit of points.`);
     return said.join(' ');
 }
 

@@ -117,12 +117,13 @@ export class NewestValues<W, V> {
         }
         thing.asked = null;
         if (this.things.get(id) !== thing) return;
-        if (values !== null) arrived(id, values, wish);
         // What was cancelled was not answered.
         if (!asked.abort.signal.aborted) {
             thing.answered = { key, detail: values === null ? Number.POSITIVE_INFINITY : detail };
             if (key === thing.key) told(id, fault);
         }
+        // After that: values that are there may have something of their own to say.
+        if (values !== null) arrived(id, values, wish);
         this.next(id, thing);
         this.options.changed?.();
     }

@@ -1,22 +1,40 @@
 import { describe, expect, it } from 'vitest';
 import type { SliceRecord } from '../../protocol/messages.ts';
+import { noSliceValue } from '../../protocol/sliceFile.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { rested } from '../../testing/shownPanel.ts';
 import { Slices } from './slicesInPicture.ts';
+import { FieldColours } from './fieldColours.ts';
 import { coloursOf } from './usualColours.ts';
 
 const record: SliceRecord = { slice: 'c1', rev: 1, dataset: 'flow', origin: [0, 0, 1], normal: [0, 0, 1], field: 'U' };
 
-/** A page with a slice, whose values never come. */
-function slicesOf(page: PageBench) {
+/** Of one sample, without a value. */
+function emptyRaster(inFlow: number): ArrayBuffer {
+    const bytes = new DataView(new ArrayBuffer(114));
+    [0x014c_5357, 1, 1, inFlow].forEach((each, i) => bytes.setUint32(4 * i, each, true));
+    bytes.setUint16(112, noSliceValue, true);
+    return bytes.buffer;
+}
+
+/** A page with a slice, whose values never come. @param answer  unless there is one */
+function slicesOf(page: PageBench, answer?: () => Response) {
     const asked: string[] = [];
     const slices = new Slices({
-        ...{ state: page.state, view: page.view, worker: page.worker, edits: page.edits, time: () => 9 },
+        ...{
+            state: page.state,
+            view: page.view,
+            worker: page.worker,
+            edits: page.edits,
+            time: () => 9,
+            colours: new FieldColours(),
+        },
         scene: {
             ...{
                 add: () => undefined,
                 hold: () => undefined,
                 pick: () => null,
+                whenDrawn: () => undefined,
                 view: () => null as never,
                 rakes: { pointUnder: () => null },
             },
@@ -25,7 +43,7 @@ function slicesOf(page: PageBench) {
         server: {
             fetch: (path) => {
                 asked.push(path);
-                return new Promise(() => undefined);
+                return answer === undefined ? new Promise(() => undefined) : Promise.resolve(answer());
             },
         },
     });
@@ -34,6 +52,16 @@ function slicesOf(page: PageBench) {
 }
 
 describe('a slice', () => {
+    it.each([
+        ['in bodies alone', () => new Response(emptyRaster(0)), 'This plane meets only bodies.'],
+        ['of a field without values there', () => new Response(emptyRaster(1)), 'U has no values here at this time.'],
+        ['that is refused', () => new Response('{"error":{"message":"no memory"}}', { status: 503 }), 'no memory'],
+    ])('%s says why nothing is seen of it', async (_, answer, words) => {
+        const { slices } = slicesOf(new PageBench(), answer);
+        await rested();
+        expect(slices.faults.value.get('c1')).toContain(words);
+    });
+
     it('is asked for at the time of the picture', () => {
         const { asked } = slicesOf(new PageBench());
         expect(asked).toHaveLength(1);

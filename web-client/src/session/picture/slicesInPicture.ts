@@ -1,6 +1,6 @@
 // Slices of the session: their records in the picture, at the time of the picture, and the edits of this page, which are drawn before the
 // server has answered. Loaded after the first picture.
-import { effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
+import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
 import type { SliceRecord, Vec3 } from '../../protocol/messages.ts';
 import { type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -19,7 +19,7 @@ import type { Edits } from '../edits/edits.ts';
 import { RecordDrafts } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
 import { SlicePoints } from '../tools/slicePoints.ts';
-import { FieldColours, type FieldMeaning } from './fieldColours.ts';
+import type { FieldColours, FieldMeaning } from './fieldColours.ts';
 import { planeWords } from './planeWords.ts';
 import { SliceArrows } from './sliceArrows.ts';
 import { onOtherData } from './newestValues.ts';
@@ -28,11 +28,13 @@ import { SliceValues, type SliceWish } from './sliceValues.ts';
 export interface SlicesOptions {
     state: AppState;
     view: Pick<ViewState, 'besidePointer' | 'chosenThing' | 'slicePoints' | 'slices' | 'tool' | 'visibility'>;
-    scene: Pick<FlowScene, 'add' | 'hold' | 'pick' | 'size' | 'view'> & {
+    scene: Pick<FlowScene, 'add' | 'hold' | 'pick' | 'size' | 'view' | 'whenDrawn'> & {
         rakes: Pick<FlowScene['rakes'], 'pointUnder'>;
         loop: Pick<FlowScene['loop'], 'request'>;
         pointerTools: Pick<FlowScene['pointerTools'], 'add'>;
     };
+    /** Shared with streamlines. */
+    colours: FieldColours;
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'gestures' | 'history'>;
@@ -43,6 +45,8 @@ export interface SlicesOptions {
 /** What of a slice can be edited. */
 export type SlicePlace = Pick<SliceRecord, 'origin' | 'normal' | 'field'>;
 
+const mostLags = 1000;
+
 export class Slices {
     /** As they are drawn: as records say, or as this page edits them. */
     readonly places: ReadonlySignal<ReadonlyMap<string, SlicePlace>>;
@@ -51,26 +55,30 @@ export class Slices {
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there, or not as fine as the screen. */
     readonly waiting = signal(false);
+    /** From changes by this page to their pictures, in milliseconds: the last ones. */
+    readonly lags: number[] = [];
     readonly handles: SliceHandles;
     readonly arrows: SliceArrows;
     private readonly options: SlicesOptions;
     private readonly layer = new SliceLayer();
     private readonly values: SliceValues;
-    private readonly colours = new FieldColours();
+    private readonly colours: FieldColours;
     private readonly drafts: RecordDrafts<SliceRecord, SlicePlace>;
     private readonly rasters = new Map<string, SliceRaster>();
+    /** When this page put a slice there, on performance.now()'s clock; while that is not drawn. */
+    private readonly changedAt = new Map<string, number>();
 
     constructor(options: SlicesOptions) {
         this.options = options;
         const { state, scene, server, worker, edits } = options;
         scene.add(this.layer);
         this.handles = this.handlesIn(scene);
-        this.meanings = this.colours.meanings;
+        this.colours = options.colours;
         this.values = new SliceValues({
             fetch: (path, init) => server.fetch(path, init),
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
             arrived: (id, raster, wish) => this.arrived(id, raster, wish),
-            told: (id, fault) => putInto(this.faults, id, fault),
+            told: (id, fault) => this.tell(id, fault),
             changed: () => this.count(),
         });
         const arrows = new SliceArrowLayer();
@@ -90,6 +98,7 @@ export class Slices {
             gone: (id) => this.forget(id),
         });
         this.places = this.drafts.places;
+        this.meanings = computed(() => new Map([...this.colours.meanings.value].filter(([id]) => this.places.value.has(id))));
         effect(() => this.wishAll());
         onOtherData(state, () => {
             this.values.again();
@@ -106,7 +115,7 @@ export class Slices {
             for (const id of this.places.value.keys()) if (!shows(visibility, id)) untracked(() => this.forget(id));
         });
         effect(() => {
-            void [options.view.slices.value, options.view.visibility.value];
+            void [options.view.slices.value, options.view.visibility.value, this.meanings.value];
             untracked(() => this.rasters.forEach((raster, id) => this.draw(id, raster)));
         });
     }
@@ -123,6 +132,8 @@ export class Slices {
     /** Draws it so at once, and tells the server. */
     change(id: string, change: Partial<SlicePlace>): void {
         this.drafts.change(id, change);
+        const place = this.places.value.get(id);
+        if (place !== undefined) this.changedAt.set(keyOf(id, place), performance.now());
     }
 
     remove(id: string): Promise<void> {
@@ -164,6 +175,15 @@ export class Slices {
         return handles;
     }
 
+    /** A slice of another time is not left where this one could not be had. */
+    private tell(id: string, fault: string | null): void {
+        putInto(this.faults, id, fault);
+        if (fault === null) return;
+        this.layer.remove(id);
+        this.rasters.delete(id);
+        this.options.scene.loop.request();
+    }
+
     private wishAll(): void {
         const { state, view } = this.options;
         const description = state.dataset.value;
@@ -195,18 +215,26 @@ export class Slices {
         this.options.scene.loop.request();
     }
 
-    private arrived(id: string, raster: SliceRaster, { field }: SliceWish): void {
+    private arrived(id: string, raster: SliceRaster, wish: SliceWish): void {
+        const { field } = wish;
         this.rasters.set(id, raster);
         const usual = usualRange(raster);
-        if (this.colours.show(id, field, usual)) {
-            for (const [each, meaning] of this.meanings.peek()) {
-                const other = this.rasters.get(each);
-                if (each !== id && meaning.field === field && other !== undefined) this.draw(each, other);
-            }
-        }
+        this.colours.show(id, field, usual);
         this.draw(id, raster);
+        this.measure(keyOf(id, wish));
         const lacks = raster.inFlow === 0 ? 'This plane meets only bodies.' : `${field} has no values here at this time.`;
         putInto(this.faults, id, usual === null ? lacks : null);
+    }
+
+    private measure(key: string): void {
+        const changed = this.changedAt.get(key);
+        if (changed === undefined) return;
+        // Places in between that were never asked for are not drawn any more.
+        for (const [each, at] of this.changedAt) if (at <= changed) this.changedAt.delete(each);
+        this.options.scene.whenDrawn((at) => {
+            this.lags.push(at - changed);
+            if (this.lags.length > mostLags) this.lags.shift();
+        });
     }
 
     private draw(id: string, raster: SliceRaster): void {
@@ -224,6 +252,10 @@ function meets(bounds: readonly number[], origin: Vec3, normal: Vec3): boolean {
     const [low, high] = spanAcross(bounds, normal);
     const at = dot(origin, normal);
     return low <= at && at <= high;
+}
+
+function keyOf(id: string, { origin, normal, field }: SlicePlace): string {
+    return JSON.stringify([id, origin, normal, field]);
 }
 
 /** Without what the server alone writes. */

@@ -11,7 +11,7 @@ import type { ClockControl } from '../time/clockControl.ts';
 export type FamilyChoice = { rake: string } | 'x' | 'y' | 'z';
 
 export interface FamiliesOptions {
-    state: Pick<AppState, 'dataset' | 'rakes'>;
+    state: Pick<AppState, 'activeSurface' | 'dataset' | 'rakes'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'changeSurface'>;
     clock: Pick<ClockControl, 'set'>;
@@ -31,13 +31,15 @@ export class Families extends LongCall {
         const { state, worker, edits, clock } = this.options;
         const wanted = this.wanted(choice);
         if (wanted === null) return;
+        const isosurface = state.activeSurface.value;
         await this.run(async (workDoneToken, signal) => {
             const { name, steps } = await worker.call('family.make', { ...wanted, workDoneToken }, signal);
             const { time, range, nodes, reached } = steps[0]!;
             if (state.dataset.value!.times.length > 1) clock.set(time);
             // The level of a curve's own surface is 0.
             const level = typeof choice === 'object' ? 0 : Number(((range[0] + range[1]) / 2).toPrecision(4));
-            edits.changeSurface({ kind: 'level', field: name, level });
+            // Another surface may have been chosen meanwhile.
+            if (state.activeSurface.value === isosurface) edits.changeSurface({ kind: 'level', field: name, level });
             return `${name}: ${nodes - reached} of ${nodes} nodes have no value.`;
         });
     }

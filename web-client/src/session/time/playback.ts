@@ -9,7 +9,7 @@ import type { ClockControl } from './clockControl.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { UndoHistory } from '../edits/undoHistory.ts';
 import { endOf } from '../edits/surfaceTimes.ts';
-import { clampTo, nearestStep, type Span, stepFrom } from './timeSteps.ts';
+import { clampTo, nearestStep, shownTime, type Span, stepFrom } from './timeSteps.ts';
 
 /** The whole in this time at normal speed. */
 const secondsForAll = 10;
@@ -87,7 +87,8 @@ export class Playback {
     /** The time of the picture. */
     readonly time = computed((): number => {
         const { state, edits } = this.options;
-        if (this.mode.value !== 'clock') return edits.intent.value?.from ?? Number.NaN;
+        // Slices and streamlines have a time also where no surface is chosen.
+        if (this.mode.value !== 'clock') return edits.intent.value?.from ?? shownTime(state);
         const record = state.clock.value!;
         const displayed = state.displayed.value.get(state.activeSurface.value ?? '');
         if (record.playing && displayed !== undefined) return displayed.time;

@@ -21,7 +21,7 @@ function serverThat(fails: CallError) {
 
 const refused = new CallError({ kind: 'rpc', code: -32602, message: 'seeds: too few', hint: '' });
 const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
-const none = { bookmarks: [], annotations: [] };
+const none = { slices: [], lines: [], bookmarks: [], annotations: [] };
 const former = {
     ...none,
     rakes: [rake('r1', 1), rake('r2')],
@@ -63,6 +63,7 @@ describe('a session made again', () => {
         const view = { surface: 's1', looks: { s1: { opacity: 0.5 }, gone: { opacity: 0.2 } } };
         const kept = { bookmark: 'b1', rev: 1, name: 'From above', view, time: 4 };
         await recoverSession(worker, {
+            ...none,
             rakes: [rake('r2')],
             surfaces: [surface('s1', 'r2')],
             bookmarks: [kept],
@@ -72,6 +73,40 @@ describe('a session made again', () => {
             { text: 'Here', position: [1, 2, 3], surface: 'n2' },
             { name: 'From above', time: 4, view: { surface: 'n2', looks: { n2: { opacity: 0.5 } } } },
         ]);
+    });
+
+    it('has its slices and streamlines, each once, and what was hidden of them stays so', async () => {
+        const { asked, worker } = serverThat(refused);
+        const plane = { dataset: 'flow', origin: [0, 0, 1] as Vec3, normal: [0, 0, 1] as Vec3, field: 'p' };
+        const seeds = {
+            kind: 'sphere' as const,
+            points: [[1, 1, 1] as Vec3],
+            distance: 0.5,
+            seeds: 50,
+            direction: 'both' as const,
+        };
+        const lines = { lines: 'l1', rev: 7, dataset: 'flow', ...seeds, duration: 0, length: 2, field: 'U' };
+        const there = { rakes: [], surfaces: [], slices: [{ slice: 'c9', rev: 1, ...plane, field: 'U' }] };
+        const made = await recoverSession(
+            worker,
+            {
+                ...{ ...none, rakes: [], surfaces: [] },
+                slices: [
+                    { slice: 'c1', rev: 3, ...plane, field: 'U' },
+                    { slice: 'c2', rev: 4, ...plane },
+                ],
+                lines: [lines],
+            },
+            there,
+        );
+        const { lines: _, rev: _rev, ...setting } = lines;
+        expect(asked).toEqual([plane, setting]);
+        expect([...made.surfaces]).toEqual([
+            ['c1', 'c9'],
+            ['c2', 'n1'],
+            ['l1', 'n2'],
+        ]);
+        expect(made.missing).toBeNull();
     });
 
     it('is given up when the connection is lost', async () => {

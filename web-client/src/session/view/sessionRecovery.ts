@@ -2,8 +2,10 @@
 import type {
     AnnotationRecord,
     BookmarkRecord,
+    LinesRecord,
     RakeRecord,
     SessionSnapshot,
+    SliceRecord,
     SurfaceRecord,
     SurfaceSetting,
 } from '../../protocol/messages.ts';
@@ -16,6 +18,8 @@ import type { UrlState } from './urlState.ts';
 export interface SessionContent {
     rakes: RakeRecord[];
     surfaces: SurfaceRecord[];
+    slices: SliceRecord[];
+    lines: LinesRecord[];
     bookmarks: BookmarkRecord[];
     annotations: AnnotationRecord[];
 }
@@ -23,6 +27,7 @@ export interface SessionContent {
 /** Names in the former session -> names in the new one, of what could be made; and why the rest could not. */
 export interface Recovered {
     rakes: Map<string, string>;
+    /** And of slices and streamlines. */
     surfaces: Map<string, string>;
     /** Null: all is there. */
     missing: string | null;
@@ -31,20 +36,20 @@ export interface Recovered {
 /** Returns what this page has had, or else what its link says. Rakes have the shape on the screen, which may
  *  be ahead of the record. */
 export function knownContent(state: AppState, url: UrlState): SessionContent {
-    const [records, surfaces] = [[...state.rakes.value.values()], [...state.surfaces.value.values()]];
-    const [bookmarks, annotations] = [[...state.bookmarks.value.values()], [...state.annotations.value.values()]];
-    const known = records.length + surfaces.length + bookmarks.length + annotations.length > 0;
-    if (!known && url.state !== null) return { rakes: url.state.rakes, surfaces: url.state.surfaces, bookmarks, annotations };
+    const all = <Record>({ value }: { value: ReadonlyMap<string, Record> }): Record[] => [...value.values()];
+    const others = { slices: all(state.slices), lines: all(state.lines), bookmarks: all(state.bookmarks) };
+    const known = { rakes: all(state.rakes), surfaces: all(state.surfaces), ...others, annotations: all(state.annotations) };
+    if (isEmptyContent(known) && url.state !== null) return { ...known, rakes: url.state.rakes, surfaces: url.state.surfaces };
     const [active, shape] = [state.rake.value?.rake, state.rakeShape.value];
-    const rakes = records.map((record) => {
+    const rakes = known.rakes.map((record) => {
         if (record.rake !== active || shape.points.length === 0) return record;
         return { ...record, kind: shape.kind, points: [...shape.points] };
     });
-    return { rakes, surfaces, bookmarks, annotations };
+    return { ...known, rakes };
 }
 
-export function isEmptyContent({ rakes, bookmarks, annotations }: SessionContent): boolean {
-    return rakes.length + bookmarks.length + annotations.length === 0;
+export function isEmptyContent(content: SessionContent): boolean {
+    return Object.values(content).every((records: readonly unknown[]) => records.length === 0);
 }
 
 function isAsked({ rake, kind, field }: SurfaceRecord, setting: SurfaceSetting): boolean {
@@ -62,7 +67,12 @@ export async function recoverSession(
 ): Promise<Recovered> {
     const [rakes, surfaces] = [new Map<string, string>(), new Map<string, string>()];
     const refusals = new Refusals();
-    const left = { rakes: [...there.rakes], surfaces: [...there.surfaces] };
+    const left = {
+        rakes: [...there.rakes],
+        surfaces: [...there.surfaces],
+        slices: [...(there.slices ?? [])],
+        lines: [...(there.lines ?? [])],
+    };
     for (const { rake, seeds, name, colour = '', kind, points } of remembered.rakes) {
         const setting = { kind, points: [...points], seeds, name, ...(colour === '' ? {} : { colour }) };
         const now =
@@ -76,6 +86,19 @@ export async function recoverSession(
             taken(left.surfaces, (each) => setting !== null && isAsked(each, setting)) ??
             (await refusals.of('surface', setting === null ? null : () => worker.call('surface.set', setting)));
         if (now !== null) surfaces.set(record.surface, now.surface);
+    }
+    for (const { slice, dataset, origin, normal, field } of remembered.slices) {
+        const setting = { dataset, origin, normal, field };
+        const now =
+            taken(left.slices, (each) => holds(each, setting)) ??
+            (await refusals.of('slice', () => worker.call('slice.set', setting)));
+        if (now !== null) surfaces.set(slice, now.slice);
+    }
+    for (const { lines, rev: _, ...setting } of remembered.lines) {
+        const now =
+            taken(left.lines, (each) => holds(each, setting)) ??
+            (await refusals.of('set of streamlines', () => worker.call('lines.set', setting)));
+        if (now !== null) surfaces.set(lines, now.lines);
     }
     const notes = (there.annotations ?? []).map(({ text }) => text);
     for (const { text, position, surface = '' } of remembered.annotations) {
@@ -98,13 +121,23 @@ export async function recoverSession(
     return { rakes, surfaces, missing: refusals.words };
 }
 
+const plurals = {
+    rake: 'rakes',
+    surface: 'surfaces',
+    slice: 'slices',
+    'set of streamlines': 'sets of streamlines',
+    note: 'notes',
+    view: 'views',
+};
+type Kind = keyof typeof plurals;
+
 /** What could not be made, by its kind, and the first reason. */
 class Refusals {
-    private readonly counts = new Map<string, number>();
+    private readonly counts = new Map<Kind, number>();
     private why = '';
 
     /** Null where it is refused. @param make null: something that it needs is missing */
-    async of<Made>(kind: string, make: (() => Promise<Made>) | null): Promise<Made | null> {
+    async of<Made>(kind: Kind, make: (() => Promise<Made>) | null): Promise<Made | null> {
         try {
             if (make !== null) return await make();
         } catch (error) {
@@ -116,9 +149,16 @@ class Refusals {
 
     get words(): string | null {
         if (this.counts.size === 0) return null;
-        const missing = [...this.counts].map(([kind, count]) => `${count} ${kind}${count === 1 ? '' : 's'}`).join(' and ');
+        const missing = [...this.counts].map(([kind, count]) => `${count} ${count === 1 ? kind : plurals[kind]}`).join(' and ');
         return `Not recreated: ${missing}${this.why === '' ? '' : `. ${this.why}`}`;
     }
+}
+
+/** A record has all of a setting. */
+function holds(record: object, setting: object): boolean {
+    return Object.entries(setting).every(([name, value]) => {
+        return JSON.stringify((record as Record<string, unknown>)[name]) === JSON.stringify(value);
+    });
 }
 
 /** The first that fits, which fits nothing else any more. */

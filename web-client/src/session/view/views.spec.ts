@@ -97,6 +97,24 @@ describe('the look of the body', () => {
     });
 });
 
+describe('the look of slices and streamlines', () => {
+    it('is in the view while it is not the usual, without what a stranger could not have chosen', () => {
+        const [state, view] = [new AppState(), new ViewState()];
+        const url = { token: null, session: null, dataset: null, state: null };
+        const views = new Views({ state, view, scene: sceneWith({}), url });
+        view.slices.value = { contours: 12, arrows: true };
+        view.lines.value = { width: 5 };
+        const kept = readPageView(JSON.parse(JSON.stringify(views.current())));
+        views.show({ looks: {} });
+        expect(views.current()).not.toHaveProperty('slices');
+        expect(views.current()).not.toHaveProperty('lines');
+        views.show(kept);
+        expect([view.slices.value, view.lines.value]).toEqual([{ contours: 12, arrows: true }, { width: 5 }]);
+        views.show(readPageView({ looks: {}, slices: { contours: 1e9, arrows: 'yes' }, lines: { width: -3 } }));
+        expect([view.slices.value, view.lines.value]).toEqual([{ contours: 0, arrows: false }, { width: 3 }]);
+    });
+});
+
 describe('what is painted', () => {
     it('is in the view as long as there is room; where there is none all of the surface is shown, and it is noted', () => {
         const [state, view] = [new AppState(), new ViewState()];

@@ -15,6 +15,7 @@ import {
     renamedView,
     renamedVisibility,
 } from '../../state/pageView.ts';
+import { decodeLines, encodeLines, plainLines } from '../../state/lineLook.ts';
 import { decodeSlices, encodeSlices, plainSlices } from '../../state/sliceLook.ts';
 import { decodeLook, encodeLook, type SurfaceLook } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -56,7 +57,7 @@ export class Views {
         effect(() => {
             // Whatever of these changes, the address does.
             void [state.session.value, state.rakes.value, state.surfaces.value, state.activeSurface.value];
-            void [view.looks.value, view.clip.value, view.body.value, view.slices.value, view.visibility.value];
+            void [view.looks.value, view.clip.value, view.body.value, view.slices.value, view.lines.value, view.visibility.value];
             this.changed();
         });
     }
@@ -81,12 +82,13 @@ export class Views {
             ...(clip === noClip ? {} : { clip }),
             ...(view.body.value === plainBody ? {} : { body: encodeBody(view.body.value) }),
             ...(view.slices.value === plainSlices ? {} : { slices: encodeSlices(view.slices.value) }),
+            ...(view.lines.value === plainLines ? {} : { lines: encodeLines(view.lines.value) }),
             ...(shown === undefined ? {} : { shown }),
             ...(masks.length === 0 ? {} : { masks: Object.fromEntries(masks) }),
         };
     }
 
-    show({ camera, surface, looks, clip, body, slices, masks = {}, shown }: PageView): void {
+    show({ camera, surface, looks, clip, body, slices, lines, masks = {}, shown }: PageView): void {
         const { state, view, scene } = this.options;
         if (camera !== undefined) {
             view.orthographic.value = camera.orthographic;
@@ -98,6 +100,7 @@ export class Views {
             view.clip.value = clip ?? noClip;
             view.body.value = body === undefined ? plainBody : decodeBody(body);
             view.slices.value = slices === undefined ? plainSlices : decodeSlices(slices);
+            view.lines.value = lines === undefined ? plainLines : decodeLines(lines);
             view.visibility.value = decodeVisibility(shown);
         }
         for (const [id, code] of Object.entries(masks)) scene.surfaces.setMask(id, code);

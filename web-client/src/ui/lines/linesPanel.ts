@@ -3,6 +3,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { Lines } from '../../session/picture/linesInPicture.ts';
 import type { AppState } from '../../state/appState.ts';
+import { thickest, thinnest } from '../../state/lineLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { sliderRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
@@ -14,7 +15,7 @@ export { Lines };
 
 export interface LinesModel {
     state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'lines' | 'slices'>;
-    view: Pick<ViewState, 'chosenThing'>;
+    view: Pick<ViewState, 'chosenThing' | 'lines'>;
     lines: Lines;
     /** Returns the place that the camera looks at. */
     middle: () => Vec3;
@@ -42,6 +43,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
         const dataset = state.dataset.value;
         if (dataset === null) return html``;
         const locked = state.locked.value;
+        const { width } = view.lines.value;
         const id = view.chosenThing.value ?? '';
         const place = lines.places.value.get(id) ?? null;
         const said = lines.faults.value.get(id) ?? lines.told.value.get(id);
@@ -60,9 +62,9 @@ export class LinesPanel extends ModelElement<LinesModel> {
                 place === null
                     ? nothing
                     : sliderRow({
-                          ...{ id: 'streamlines-width', words: 'Width', value: lines.width.value, low: 1, high: 8, step: 0.5 },
-                          shown: `${lines.width.value} px`,
-                          change: (value) => (lines.width.value = value),
+                          ...{ id: 'streamlines-width', words: 'Width', value: width, low: thinnest, high: thickest, step: 0.5 },
+                          shown: `${width} px`,
+                          change: (value) => (view.lines.value = { width: value }),
                       })
             }
         `;

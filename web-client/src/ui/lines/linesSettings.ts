@@ -71,7 +71,7 @@ export function linesSettings({ place, dataset, meaning, change }: LinesSettings
         ${endRow('streamlines-length', 'Longest', `length of a line each way; 0: ${fieldNumber(2 * diagonal, resolution)}`, length, (value) => change({ length: value }))}
         ${endRow('streamlines-duration', 'Time of flight', 'each way; 0: as long as it takes', duration, (value) => change({ duration: value }))}
         ${
-            meaning === undefined
+            meaning === undefined || meaning.range[0] === meaning.range[1]
                 ? nothing
                 : html`${checkRow('Own range of colours', range !== null, (on) => change({ range: on ? meaning.range : null }), { id: 'streamlines-range' })}
                   ${range === null ? nothing : pairRow('streamlines-colours', 'Colours', range, (pair) => change({ range: pair }))}`

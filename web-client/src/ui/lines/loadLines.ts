@@ -13,7 +13,7 @@ export interface LoadedLines {
 }
 
 export function loadLines(
-    options: LinesOptions & { scene: Pick<FlowScene, 'controls'>; view: Pick<ViewState, 'chosenThing'> },
+    options: LinesOptions & { scene: Pick<FlowScene, 'controls'>; view: Pick<ViewState, 'chosenThing' | 'lines'> },
 ): LoadedLines {
     const { state, view, scene } = options;
     const model = signal<LinesModel | null>(null);

@@ -143,7 +143,7 @@ export class FilmExport extends ModelElement<FilmExportModel> {
         const { film, figure, playback, state } = this.model;
         const reason = this.whyNot();
         if (reason !== null) return html`<p class="hint">${reason}</p>`;
-        if (state.role.value === 'viewer') {
+        if (state.role.value === 'viewer' && playback.mode.value !== 'none') {
             return html`<p class="hint">
                 Recording changes the time for everyone, which your link does not allow.
                 <wakesurf-own-copy .model=${this.model.ownCopy}></wakesurf-own-copy>
@@ -168,7 +168,7 @@ export class FilmExport extends ModelElement<FilmExportModel> {
             <div class="row">
                 <button type="button" id="record-film" ?disabled=${still} @click=${this.record}>Record</button>
             </div>
-            ${still ? html`<p class="hint">The data have only one time-step: choose two saved views for the camera to go between.</p>` : nothing}
+            ${still ? html`<p class="hint">Nothing here changes with time: choose two saved views for the camera to go between.</p>` : nothing}
             ${words === '' ? nothing : html`<p class="hint" role="alert">${words}</p>`}
             <p class="hint">
                 From t = ${timeText(state, from)} to ${timeText(state, to)} in ${frames} frames, each drawn when its
@@ -197,16 +197,15 @@ export class FilmExport extends ModelElement<FilmExportModel> {
     }
 
     private cameraPath(): TemplateResult {
-        const views = [...this.model.state.bookmarks.value.values()].filter(
-            ({ view }) => readPageView(view).camera !== undefined,
-        );
+        const { bookmarks } = this.model.state;
+        const views = [...bookmarks.value.values()].filter(({ view }) => readPageView(view).camera !== undefined);
         if (views.length < 2) {
             return html`<p class="hint">The camera stays where it is. Keep two views or more (View, Saved views), and it can go through them.</p>`;
         }
         return html`<fieldset>
             <legend>Camera through saved views</legend>
             ${views.map(({ bookmark, name }) => {
-                const place = path.value.indexOf(bookmark);
+                const place = path.value.filter((each) => bookmarks.value.has(each)).indexOf(bookmark);
                 const words = place < 0 ? isolated(name) : `${isolated(name)}, ${place + 1}`;
                 const change = (on: boolean): void => {
                     path.value = on ? [...path.value, bookmark] : path.value.filter((each) => each !== bookmark);

@@ -168,16 +168,10 @@ export class PictureList extends ModelElement<PictureListModel> {
     private adding(locked: boolean): TemplateResult {
         const { state, view, edits } = this.model;
         const { actions } = edits;
-        const add = (
-            words: string,
-            title: string,
-            can: boolean,
-            action: () => void,
-            name = words.toLowerCase(),
-        ): TemplateResult =>
+        const add = (words: string, title: string, can: boolean, action: () => void): TemplateResult =>
             html`<button
                 type="button"
-                aria-label=${`New ${name}`}
+                aria-label=${`New ${words.toLowerCase()}`}
                 title=${titleOf(state, title)}
                 ?disabled=${locked || !can}
                 @click=${action}
@@ -206,7 +200,7 @@ export class PictureList extends ModelElement<PictureListModel> {
                 fresh(() => actions.newIsosurface()),
             )}
             ${add('Slice', 'A plane through the data', true, () => (view.chosenThing.value = newSlice))}
-            ${add('Lines', 'Streamlines at the time of the picture', true, () => (view.chosenThing.value = newLines), 'streamlines')}
+            ${add('Lines', 'Streamlines at the time of the picture', true, () => (view.chosenThing.value = newLines))}
         </div>`;
     }
 

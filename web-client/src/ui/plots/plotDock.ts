@@ -75,6 +75,8 @@ export class PlotDock extends ModelElement<PlotDockModel> {
             scrollbar-width: thin;
         }
         .quantities label {
+            /* Holds its box, which would lie over what is beside the list where that is scrolled. */
+            position: relative;
             display: flex;
             flex: none;
             align-items: center;

@@ -170,7 +170,7 @@ function middleOf(bounds: Bounds): Vec3 {
 function arrowWords(longest: number, { fields, velocity }: DatasetDescription): string {
     if (longest === 0) return 'Nothing flows along this plane.';
     const unit = fields.find(({ name }) => name === velocity)?.unit ?? '';
-    return `The longest arrow is ${withUnit(shortNumber(Number(longest.toPrecision(2))), unit)}.`;
+    return `The longest arrow is ${withUnit(shortNumber(Number(longest.toPrecision(2))), unit)}; the fastest hundredth is drawn no longer.`;
 }
 
 customElements.define('wakesurf-slices', SlicesPanel);
