@@ -54,6 +54,7 @@ import { showUnits, typeUnits } from './session/picture/writtenNumbers.ts';
 import { Views } from './session/view/views.ts';
 import { AppState } from './state/appState.ts';
 import { LatencyLog } from './state/latency.ts';
+import type { SlicePlane } from './state/pageView.ts';
 import { ViewState } from './state/viewState.ts';
 import { App } from './ui/app.ts';
 import { listenForPresses, listenForUndoKeys } from './ui/base/keyboard.ts';
@@ -116,7 +117,6 @@ function start(app: App): void {
     }
     hideSurfaces(state, view);
     connectChosenThings({ state, view, scene });
-    showLooks({ state, view, scene, worker });
     measurePixels(scene.controls, state, view.pixelsPerLength);
     connectPainting(view, scene);
     frameFirstSurface({
@@ -162,6 +162,8 @@ function start(app: App): void {
     const colours = new FieldColours();
     const inPicture = { state, view, scene, colours, server, worker, edits, time: () => playback.time.value };
     const [slices, lines] = [loadSlices(inPicture), loadLines(inPicture)];
+    const slicePlane = (id: string): SlicePlane | undefined => (slices.model.value?.slices.places ?? state.slices).value.get(id);
+    showLooks({ state, view, scene, worker, slicePlane });
     const fieldsShown = { waiting: computed(() => slices.waiting.value || lines.waiting.value) };
     const families = new Families({ state, worker, edits, clock, time: () => playback.time.value });
     const means = new Means({ state, worker });

@@ -104,6 +104,14 @@ export function isSurfaceRecord(value: unknown): value is SurfaceRecord {
     return is(value, surfaceRecordCheck);
 }
 
+export function isSliceRecord(value: unknown): value is SliceRecord {
+    return is(value, sliceRecordCheck);
+}
+
+export function isLinesRecord(value: unknown): value is LinesRecord {
+    return is(value, linesRecordCheck);
+}
+
 /** Checks of records, by the type that patches name. */
 const recordChecks = {
     rake: rakeRecordCheck,

@@ -9,6 +9,8 @@ import {
     encodeVisibility,
     noClip,
     planeNumbers,
+    renamedClip,
+    type SlicePlane,
     renamedVisibility,
     shows,
     showsSurface,
@@ -78,17 +80,35 @@ describe('what is shown', () => {
 const bounds = [-2, 6, 0, 1, 10, 20];
 const plane = { on: true, at: 0.25, flipped: false };
 
-function isCut(clip: ClipPlanes, point: readonly number[]): boolean {
-    return planeNumbers(clip, bounds).some(([x, y, z, w]) => x * point[0]! + y * point[1]! + z * point[2]! > w);
+function isCut(clip: ClipPlanes, point: readonly number[], cutting: SlicePlane | null = null): boolean {
+    return planeNumbers(clip, bounds, cutting).some(([x, y, z, w]) => x * point[0]! + y * point[1]! + z * point[2]! > w);
 }
 
 describe('clip planes', () => {
     it('cut away what lies beyond them, or before them when flipped', () => {
-        const clip: ClipPlanes = { planes: [plane, noClip.planes[1], { ...plane, flipped: true }], body: false };
+        const clip: ClipPlanes = { ...noClip, planes: [plane, noClip.planes[1], { ...plane, flipped: true }] };
         expect(isCut(clip, [-0.1, 0.5, 15])).toBe(false);
         expect(isCut(clip, [0.1, 0.5, 15])).toBe(true);
         expect(isCut(clip, [-1, 0.5, 12.4])).toBe(true);
         expect(isCut(clip, [-1, 99, 12.6])).toBe(false);
+    });
+
+    it('cut at a slice: what is on the side of its normal, or on the other when flipped; nothing once it is gone', () => {
+        const slice: SlicePlane = { origin: [1, 0, 12], normal: [0.6, 0, 0.8] };
+        const at = (flipped: boolean): ClipPlanes => ({ ...noClip, slice: { id: 'p1', flipped } });
+        const [beyond, before] = [
+            [1.6, 5, 12.8],
+            [0.4, -5, 11.2],
+        ];
+        expect([isCut(at(false), beyond, slice), isCut(at(false), before, slice)]).toEqual([true, false]);
+        expect([isCut(at(true), beyond, slice), isCut(at(true), before, slice)]).toEqual([false, true]);
+        expect(isCut(at(false), beyond, null)).toBe(false);
+    });
+
+    it('follow their slice to its new name, and go with it', () => {
+        const clip: ClipPlanes = { ...noClip, slice: { id: 'p1', flipped: true } };
+        expect(renamedClip(clip, new Map([['p1', 'p4']])).slice).toEqual({ id: 'p4', flipped: true });
+        expect(renamedClip(clip, new Map())).toEqual(noClip);
     });
 
     it('cut nothing while they are off', () => {
@@ -96,9 +116,9 @@ describe('clip planes', () => {
     });
 
     it('come back from JSON, and from garbage as none', () => {
-        const clip: ClipPlanes = { planes: [plane, noClip.planes[1], plane], body: true };
+        const clip: ClipPlanes = { planes: [plane, noClip.planes[1], plane], slice: { id: 'p1', flipped: true }, body: true };
         expect(decodeClip(JSON.parse(JSON.stringify(clip)))).toEqual(clip);
-        for (const garbage of [null, 3, {}, { planes: 'x' }, { planes: [{ on: 1, at: 2 }, null] }]) {
+        for (const garbage of [null, 3, {}, { planes: 'x' }, { planes: [{ on: 1, at: 2 }, null], slice: { id: 3 } }]) {
             expect(decodeClip(garbage)).toEqual(noClip);
         }
     });

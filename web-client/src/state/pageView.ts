@@ -61,7 +61,7 @@ export function readPageView(value: unknown): PageView {
 /** Returns the view of the same surfaces under other names; what is of one that is not among them is left
  *  out. */
 export function renamedView(
-    { surface, looks, masks, shown, ...rest }: PageView,
+    { surface, looks, clip, masks, shown, ...rest }: PageView,
     names: ReadonlyMap<string, string>,
     rakes: ReadonlyMap<string, string>,
 ): PageView {
@@ -78,6 +78,7 @@ export function renamedView(
         ...rest,
         ...(now === undefined ? {} : { surface: now }),
         ...(looks === undefined ? {} : { looks: renamed(looks) }),
+        ...(clip === undefined ? {} : { clip: renamedClip(clip, names) }),
         ...(masks === undefined ? {} : { masks: renamed(masks) }),
         ...(stillShown === undefined ? {} : { shown: stillShown }),
     };
@@ -183,22 +184,39 @@ export interface ClipPlane {
     flipped: boolean;
 }
 
-/** Across x, y and z. */
 export interface ClipPlanes {
+    /** Across x, y and z. */
     planes: readonly [ClipPlane, ClipPlane, ClipPlane];
+    /** What lies on the normal's side of this slice is cut away; flipped, on the other; null: no slice cuts. */
+    slice: { id: string; flipped: boolean } | null;
     body: boolean;
 }
 
+/** Where a slice lies. */
+export type SlicePlane = Readonly<{ origin: Vec3; normal: Vec3 }>;
+
 const usualPlane: ClipPlane = { on: false, at: 0.5, flipped: false };
-export const noClip: ClipPlanes = { planes: [usualPlane, usualPlane, usualPlane], body: false };
+export const noClip: ClipPlanes = { planes: [usualPlane, usualPlane, usualPlane], slice: null, body: false };
 
 /** Never throws. */
 export function decodeClip(value: unknown): ClipPlanes {
     if (typeof value !== 'object' || value === null) return noClip;
-    const { planes, body } = value as Record<string, unknown>;
+    const { planes, slice, body } = value as Record<string, unknown>;
     const given: unknown[] = Array.isArray(planes) ? planes : [];
     const [x, y, z] = [0, 1, 2].map((axis) => planeOf(given[axis]));
-    return { planes: [x!, y!, z!], body: body === true };
+    return { planes: [x!, y!, z!], slice: cuttingSlice(slice), body: body === true };
+}
+
+function cuttingSlice(value: unknown): ClipPlanes['slice'] {
+    if (typeof value !== 'object' || value === null) return null;
+    const { id, flipped } = value as Record<string, unknown>;
+    return typeof id === 'string' ? { id, flipped: flipped === true } : null;
+}
+
+/** Returns the planes with the slice under another name; none cuts where it has none. */
+export function renamedClip(clip: ClipPlanes, names: ReadonlyMap<string, string>): ClipPlanes {
+    const id = names.get(clip.slice?.id ?? '');
+    return clip.slice === null ? clip : { ...clip, slice: id === undefined ? null : { ...clip.slice, id } };
 }
 
 function planeOf(value: unknown): ClipPlane {
@@ -208,9 +226,16 @@ function planeOf(value: unknown): ClipPlane {
     return { on: on === true, at: place, flipped: flipped === true };
 }
 
-/** Returns planes as (nx, ny, nz, w): cut away is where n . point > w. Planes that are off cut nothing. */
-export function planeNumbers({ planes }: ClipPlanes, bounds: readonly number[]): [number, number, number, number][] {
-    return planes.map(({ on, at, flipped }, axis) => {
+/**
+ * Returns planes as (nx, ny, nz, w): cut away is where n . point > w. Planes that are off cut nothing.
+ * @param cutting  where the slice that cuts lies; null: it is not there
+ */
+export function planeNumbers(
+    { planes, slice }: ClipPlanes,
+    bounds: readonly number[],
+    cutting: SlicePlane | null = null,
+): [number, number, number, number][] {
+    const along = planes.map(({ on, at, flipped }, axis) => {
         const [low, high] = [bounds[2 * axis] ?? 0, bounds[2 * axis + 1] ?? 0];
         const numbers: [number, number, number, number] = [0, 0, 0, 1];
         if (!on) return numbers;
@@ -218,4 +243,9 @@ export function planeNumbers({ planes }: ClipPlanes, bounds: readonly number[]):
         numbers[3] = (flipped ? -1 : 1) * (low + at * (high - low));
         return numbers;
     });
+    if (slice === null || cutting === null) return along;
+    const { origin, normal } = cutting;
+    const side = slice.flipped ? -1 : 1;
+    const [x, y, z] = normal.map((each) => side * each);
+    return [...along, [x!, y!, z!, x! * origin[0] + y! * origin[1] + z! * origin[2]]];
 }

@@ -26,7 +26,7 @@ import {
 import { type ColourMapName, colourTable, drawnRange, scaled, scaleOf, steadyRange, tableSize } from './colourMap.ts';
 import { directions, noiseSize, smearedNoise } from './flowTexture.ts';
 import { coarsestPower, nearestApart } from './patternShader.ts';
-import { fragmentShader, pickFragmentShader, vertexShader } from './surfaceShader.ts';
+import { fragmentShader, mostClipPlanes, pickFragmentShader, vertexShader } from './surfaceShader.ts';
 import type { SurfaceStyle } from './surfaceStyle.ts';
 import { peelUniforms } from './transparency.ts';
 
@@ -42,9 +42,9 @@ const backSides = ['same', 'shaded', 'tinted'] as const;
 const patterns = ['none', 'timelines', 'streamlines', 'grid', 'checker'] as const;
 const pieces = ['whole', 'timelines', 'seedlines', 'timeribbons', 'seedribbons', 'arrows'] as const;
 
-/** Planes that cut nothing. */
+/** Planes that cut nothing, as many as there may be. */
 export function noPlanes(): Vector4[] {
-    return [0, 1, 2].map(() => new Vector4(0, 0, 0, 1));
+    return Array.from({ length: mostClipPlanes }, () => new Vector4(0, 0, 0, 1));
 }
 
 /** Makes the uniforms of all surfaces together; the same objects in every material. */

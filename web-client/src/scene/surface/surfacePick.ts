@@ -21,6 +21,7 @@ import { isOrthographic, type ScreenPoint, type View } from '../base/view.ts';
 import { pushBackGlsl } from './renderPasses.ts';
 import type { PickGrid, PickHit, PickOptions } from './pickHit.ts';
 import type { SurfaceLayer } from './surfaceLayer.ts';
+import { mostClipPlanes } from './surfaceShader.ts';
 
 const bodyId = 1;
 const firstSurfaceId = 2;
@@ -157,11 +158,11 @@ void main() {
 const bodyFragmentShader = `
 in vec3 worldPosition;
 in float depth;
-uniform vec4 clip[3];
+uniform vec4 clip[${mostClipPlanes}];
 layout(location = 0) out vec4 point;
 layout(location = 1) out vec4 numbers;
 void main() {
-    for (int i = 0; i < 3; ++i) if (dot(clip[i].xyz, worldPosition) > clip[i].w) discard;
+    for (int i = 0; i < ${mostClipPlanes}; ++i) if (dot(clip[i].xyz, worldPosition) > clip[i].w) discard;
     point = vec4(worldPosition, ${bodyId}.0);
     numbers = vec4(0.0, 0.0, 0.0, depth);
 }`;

@@ -9,6 +9,9 @@ import { patternGlsl, piecesGlsl } from './patternShader.ts';
 import { endSlack } from './splatEnds.ts';
 import { tableSize } from './colourMap.ts';
 
+/** Across x, y and z, and a slice. */
+export const mostClipPlanes = 4;
+
 export const vertexShader = `
 attribute vec2 seed;
 #ifdef SPLATS
@@ -112,7 +115,7 @@ uniform int source;
 // Of the picture for one of CSS: spacing and widths are meant in these.
 uniform float pixelRatio;
 uniform vec4 window;
-uniform vec4 clip[3];
+uniform vec4 clip[${mostClipPlanes}];
 uniform bool painting;
 uniform float faded;
 uniform vec2 maskT;
@@ -152,7 +155,7 @@ bool isCut() {
     bvec2 early = lessThan(vec2(place.x, values.y), window.xz);
     bvec2 late = greaterThan(vec2(place.x, values.y), window.yw);
     bool cut = isLeftOut() || any(early) || any(late);
-    for (int i = 0; i < 3; ++i) cut = cut || dot(clip[i].xyz, worldPosition) > clip[i].w;
+    for (int i = 0; i < ${mostClipPlanes}; ++i) cut = cut || dot(clip[i].xyz, worldPosition) > clip[i].w;
     return cut;
 }
 

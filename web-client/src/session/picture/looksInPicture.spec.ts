@@ -27,7 +27,7 @@ function bench() {
         setClip: () => undefined,
     };
     const worker = { show: (id: string, { parts }: ShowWish) => shown.push([id, parts]) };
-    showLooks({ state, view, scene, worker });
+    showLooks({ state, view, scene, worker, slicePlane: () => undefined });
     const has = (...ids: string[]): void => {
         state.surfaces.value = new Map(ids.map((id) => [id, surfaceOf(id)]));
     };

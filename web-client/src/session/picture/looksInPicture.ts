@@ -6,7 +6,7 @@ import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
-import { planeNumbers, showsSurface } from '../../state/pageView.ts';
+import { planeNumbers, showsSurface, type SlicePlane } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { attributesOf, automaticRanges, styleOf } from './surfaceStyleOf.ts';
@@ -19,9 +19,11 @@ export interface LooksOptions {
         surfaces: Pick<SurfaceLayer, 'setStyle' | 'spanOf' | 'moveTexture'>;
     };
     worker: Pick<WorkerClient, 'show'>;
+    /** Returns where a slice lies as it is drawn. */
+    slicePlane: (id: string) => SlicePlane | undefined;
 }
 
-export function showLooks({ state, view, scene, worker }: LooksOptions): void {
+export function showLooks({ state, view, scene, worker, slicePlane }: LooksOptions): void {
     const sent = new Map<string, string>();
     effect(() => {
         // One that is shown again is new to the scene.
@@ -70,7 +72,7 @@ export function showLooks({ state, view, scene, worker }: LooksOptions): void {
         const bounds = state.dataset.value?.bounds;
         if (bounds === undefined) return;
         const clip = view.clip.value;
-        scene.setClip(planeNumbers(clip, bounds), clip.body);
+        scene.setClip(planeNumbers(clip, bounds, slicePlane(clip.slice?.id ?? '') ?? null), clip.body);
     });
     flowTexture({ state, scene });
 }

@@ -27,7 +27,7 @@ import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
     state: AppState;
-    view: Pick<ViewState, 'besidePointer' | 'chosenThing' | 'slicePoints' | 'slices' | 'tool' | 'visibility'>;
+    view: Pick<ViewState, 'besidePointer' | 'chosenThing' | 'clip' | 'slicePoints' | 'slices' | 'tool' | 'visibility'>;
     scene: Pick<FlowScene, 'add' | 'hold' | 'pick' | 'size' | 'view' | 'whenDrawn'> & {
         rakes: Pick<FlowScene['rakes'], 'pointUnder'>;
         loop: Pick<FlowScene['loop'], 'request'>;

@@ -44,6 +44,6 @@ export class OwnCopy {
     /** Keeps what is looked at. No records: nothing of the copy is made anew where the other session is empty
      *  by now. */
     private fragment(session: string): string {
-        return writeFragment(session, null, encodeLinkState({ view: this.options.views.current(), rakes: [], surfaces: [] }));
+        return writeFragment(session, null, encodeLinkState({ view: this.options.views.current() }));
     }
 }

@@ -39,7 +39,10 @@ export function knownContent(state: AppState, url: UrlState): SessionContent {
     const all = <Record>({ value }: { value: ReadonlyMap<string, Record> }): Record[] => [...value.values()];
     const others = { slices: all(state.slices), lines: all(state.lines), bookmarks: all(state.bookmarks) };
     const known = { rakes: all(state.rakes), surfaces: all(state.surfaces), ...others, annotations: all(state.annotations) };
-    if (isEmptyContent(known) && url.state !== null) return { ...known, rakes: url.state.rakes, surfaces: url.state.surfaces };
+    if (isEmptyContent(known) && url.state !== null) {
+        const { view: _, ...records } = url.state;
+        return { ...known, ...records };
+    }
     const [active, shape] = [state.rake.value?.rake, state.rakeShape.value];
     const rakes = known.rakes.map((record) => {
         if (record.rake !== active || shape.points.length === 0) return record;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { RakeRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
+import type { LinesRecord, RakeRecord, SliceRecord, SurfaceRecord, Vec3 } from '../../protocol/messages.ts';
 import { decodeLinkState, encodeLinkState, readFragment, readNewLink, writeFragment } from './urlState.ts';
 
 describe('the fragment of the link', () => {
@@ -59,6 +59,21 @@ describe('a state in a link', () => {
         expect(back.surfaces).toMatchObject([{ ...surface, rev: 0, epoch: 0 }]);
     });
 
+    it('has the slices and streamlines of the session, for where the server has forgotten them', () => {
+        const slice: SliceRecord = { slice: 'p1', rev: 3, dataset: 'd', origin: [0, 0, 1], normal: [0, 0, 1], field: 'p' };
+        const lines = {
+            ...{ lines: 'l1', rev: 2, dataset: 'd', kind: 'line', distance: 0, seeds: 7 },
+            points: [
+                [0, 0, 0],
+                [1, 0, 0],
+            ],
+            ...{ direction: 'both', duration: 0, length: 0, field: 'p' },
+        } as LinesRecord;
+        const back = decodeLinkState(encodeLinkState({ view: {}, slices: [slice], lines: [lines] }));
+        expect(back.slices).toEqual([{ ...slice, rev: 0 }]);
+        expect(back.lines).toEqual([{ ...lines, rev: 0 }]);
+    });
+
     it('that an older version made goes back in time as it did then', () => {
         const older = { ...surface, direction: 'backward', from: 5, to: 8, releaseUntil: 6 } as SurfaceRecord;
         const back = (record: SurfaceRecord): unknown =>
@@ -86,7 +101,7 @@ describe('a state in a link', () => {
         const points = Array.from({ length: 500 }, (_, i): Vec3 => [i / 7, i / 11, i / 13]);
         const text = encodeLinkState({ view: { camera }, rakes: [{ ...rake, points }], surfaces: [] });
         expect(text.length).toBeLessThan(6000);
-        expect(decodeLinkState(text)).toEqual({ view: { camera }, rakes: [], surfaces: [] });
+        expect(decodeLinkState(text)).toEqual({ view: { camera }, rakes: [], surfaces: [], slices: [], lines: [] });
     });
 
     it('keeps masks that can be some, whoever has sent them', () => {
@@ -99,7 +114,7 @@ describe('a state in a link', () => {
     });
 
     it('is nothing where someone has damaged it', () => {
-        const nothing = { view: {}, rakes: [], surfaces: [] };
+        const nothing = { view: {}, rakes: [], surfaces: [], slices: [], lines: [] };
         for (const text of ['', '!', 'bm9uc2Vuc2U', btoa('7'), btoa('{"v":{"camera":{"position":[1,2]}},"r":[{}],"s":7}')]) {
             expect(decodeLinkState(text)).toEqual(nothing);
         }

@@ -1,9 +1,18 @@
 // The link of a page. Its fragment, which browsers never send, carries the access token, removed at once, the session, and the state of the
 // page: view and records, as JSON in base64url. A link opens the same view of the same session, and, where the server has forgotten the
-// session, the same rakes and surfaces in a new one. Of a link that a user pastes into a page that was not let in, the address is not
+// session, the same content in a new one. Of a link that a user pastes into a page that was not let in, the address is not
 // followed: through a tunnel, or a proxy, the page is at another one than the server has printed.
 import { surfaceDefaults } from '../../protocol/generated/surface.ts';
-import { isRakeRecord, isSurfaceRecord, type RakeRecord, type SurfaceRecord } from '../../protocol/messages.ts';
+import {
+    isLinesRecord,
+    isRakeRecord,
+    isSliceRecord,
+    isSurfaceRecord,
+    type LinesRecord,
+    type RakeRecord,
+    type SliceRecord,
+    type SurfaceRecord,
+} from '../../protocol/messages.ts';
 import { type PageView, readPageView } from '../../state/pageView.ts';
 
 export interface UrlState {
@@ -68,6 +77,8 @@ export interface LinkState {
     view: PageView;
     rakes: RakeRecord[];
     surfaces: SurfaceRecord[];
+    slices: SliceRecord[];
+    lines: LinesRecord[];
 }
 
 /** Longer addresses are cut by mail programs and chats; the records are left out then. */
@@ -75,8 +86,10 @@ const longestJson = 4500;
 /** The number of significant digits below one; of other numbers, after the point. */
 const digits = 6;
 
-export function encodeLinkState({ view, rakes, surfaces }: LinkState): string {
-    const whole = jsonOf({ v: view, r: rakes.map(savedRake), s: surfaces.map(savedSurface) });
+/** Records that are left out: there are none. */
+export function encodeLinkState({ view, rakes = [], surfaces = [], slices = [], lines = [] }: Partial<LinkState>): string {
+    const beside = { ...(slices.length > 0 && { p: slices.map(saved) }), ...(lines.length > 0 && { l: lines.map(saved) }) };
+    const whole = jsonOf({ v: view, r: rakes.map(savedRake), s: surfaces.map(saved), ...beside });
     return base64Of(whole.length <= longestJson ? whole : jsonOf({ v: view }));
 }
 
@@ -90,9 +103,15 @@ export function decodeLinkState(text: string): LinkState {
             .map((each) => completed(each, rakeRest))
             .filter(isRakeRecord),
         surfaces: list('s')
-            .map((each) => completed(each, surfaceRest))
+            .map((each) => completed(each, surfaceRest, { rev: 0, epoch: 0 }))
             .filter(isSurfaceRecord)
             .map(asToday),
+        slices: list('p')
+            .map((each) => completed(each, {}))
+            .filter(isSliceRecord),
+        lines: list('l')
+            .map((each) => completed(each, {}))
+            .filter(isLinesRecord),
     };
 }
 
@@ -100,7 +119,8 @@ function savedRake({ rake, kind, points, seeds, name, colour }: RakeRecord): obj
     return { rake, kind, points, seeds, name, colour };
 }
 
-function savedSurface({ rev: _rev, epoch: _epoch, ...setting }: SurfaceRecord): object {
+/** Without what counters of the server say. */
+function saved({ rev: _rev, epoch: _epoch, ...setting }: { rev: number; epoch?: number }): object {
     return setting;
 }
 
@@ -118,8 +138,8 @@ function asToday(record: SurfaceRecord): SurfaceRecord {
     return releaseUntil !== undefined && releaseUntil > from ? { ...turned, releaseUntil: 2 * from - releaseUntil } : turned;
 }
 
-function completed(record: unknown, rest: object): unknown {
-    return typeof record === 'object' && record !== null ? { ...rest, ...record, rev: 0, epoch: 0 } : null;
+function completed(record: unknown, rest: object, counters: object = { rev: 0 }): unknown {
+    return typeof record === 'object' && record !== null ? { ...rest, ...record, ...counters } : null;
 }
 
 function jsonOf(value: object): string {

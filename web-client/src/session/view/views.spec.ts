@@ -25,7 +25,13 @@ describe('the view of a session that is made again', () => {
         const looks = { s4: { opacity: 0.4 }, s7: { opacity: 0.7 } };
         const url: UrlState = {
             ...{ token: null, session: null, dataset: null },
-            state: { view: { surface: 's7', looks, masks: { s7: 'linked', s9: 'gone' } }, rakes: [], surfaces: [] },
+            state: {
+                view: { surface: 's7', looks, masks: { s7: 'linked', s9: 'gone' } },
+                rakes: [],
+                surfaces: [],
+                slices: [],
+                lines: [],
+            },
         };
         const masks = new Map([
             ['s4', 'offour'],

@@ -11,6 +11,7 @@ import {
     decodeVisibility,
     encodeVisibility,
     noClip,
+    renamedClip,
     type PageView,
     renamedView,
     renamedVisibility,
@@ -137,6 +138,7 @@ export class Views {
         batch(() => {
             view.looks.value = new Map(renamed(looks));
             view.visibility.value = renamedVisibility(view.visibility.value, rakes, surfaces);
+            view.clip.value = renamedClip(view.clip.value, surfaces);
             state.activeRake.value = rakes.get(state.activeRake.value ?? '') ?? null;
             state.activeSurface.value = surfaces.get(state.activeSurface.value ?? '') ?? null;
         });
@@ -146,8 +148,9 @@ export class Views {
     /** The address of this page as it is now. */
     link(): string {
         const { state, url } = this.options;
-        const records = { rakes: [...state.rakes.value.values()], surfaces: [...state.surfaces.value.values()] };
-        const encoded = encodeLinkState({ view: this.current(), ...records });
+        const all = <Record>({ value }: { value: ReadonlyMap<string, Record> }): Record[] => [...value.values()];
+        const made = { rakes: all(state.rakes), surfaces: all(state.surfaces) };
+        const encoded = encodeLinkState({ view: this.current(), ...made, slices: all(state.slices), lines: all(state.lines) });
         const address = new URL(location.href);
         address.hash = writeFragment(state.session.value, url.dataset, encoded);
         return address.href;

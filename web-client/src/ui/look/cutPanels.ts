@@ -49,7 +49,7 @@ export class ClipPanel extends ModelElement<ClipModel> {
         return html`
             ${axes.map((axis, i) => this.plane(axis, i, planes[i]!))}
             ${checkRow('Cut the body too', body, (on) => this.change({ body: on }), { id: 'clip-body' })}
-            <p class="quiet">Planes cut all surfaces in the picture.</p>
+            <p class="quiet">Planes cut all surfaces in the picture. A slice can cut them at any angle: choose it under "In the picture".</p>
         `;
     }
 

@@ -19,7 +19,7 @@ export { Slices };
 
 export interface SlicesModel {
     state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'slices'>;
-    view: Pick<ViewState, 'chosenThing' | 'slices' | 'tool'>;
+    view: Pick<ViewState, 'chosenThing' | 'clip' | 'slices' | 'tool'>;
     slices: Slices;
 }
 
@@ -38,6 +38,11 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
             display: grid;
             grid-template-columns: auto repeat(3, 1fr) auto auto;
             gap: 6px;
+            align-items: center;
+        }
+        .cut {
+            display: flex;
+            justify-content: space-between;
             align-items: center;
         }
         .triple {
@@ -151,8 +156,29 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                 change: (contours) => (view.slices.value = { ...look, contours }),
             })}
             ${checkRow('Arrows of the flow in the plane', look.arrows, (arrows) => (view.slices.value = { ...look, arrows }), { id: 'slice-arrows' })}
+            ${this.cutting(id)}
             ${look.arrows && longest !== undefined ? html`<p class="quiet">${arrowWords(longest, dataset)}</p>` : nothing}
         `;
+    }
+
+    /** What is before the slice hides it. */
+    private cutting(id: string): TemplateResult {
+        const { clip } = this.model.view;
+        const flipped = clip.value.slice?.id === id ? clip.value.slice.flipped : null;
+        return html`<div class="cut" role="group" aria-label="Cut at this slice">
+            ${checkRow('Cut surfaces here', flipped !== null, (on) => (clip.value = { ...clip.value, slice: on ? { id, flipped: false } : null }), { id: 'slice-cut' })}
+            <button
+                id="slice-cut-flip"
+                type="button"
+                aria-pressed=${flipped === true ? 'true' : 'false'}
+                aria-label="Cut the other side of the slice"
+                title="Cut the other side"
+                ?disabled=${flipped === null}
+                @click=${() => (clip.value = { ...clip.value, slice: { id, flipped: flipped !== true } })}
+            >
+                ⇄
+            </button>
+        </div>`;
     }
 
     private addAcross(rake: readonly Vec3[]): Promise<void> {
