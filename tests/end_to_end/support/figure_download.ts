@@ -8,9 +8,11 @@ export interface FigureChoice {
     rake: boolean;
     axes: boolean;
     bar: boolean;
+    /** On the page's own ground, rather than on white. */
+    dark?: boolean;
 }
 
-/** Chooses what the pictures to come are like: before white. */
+/** Chooses what the pictures to come are like. */
 export async function chooseFigure(page: Page, choice: FigureChoice): Promise<void> {
     await page.getByRole('tab', { name: 'Export' }).click();
     await page.locator('#picture-size').selectOption('typed');
@@ -18,7 +20,7 @@ export async function chooseFigure(page: Page, choice: FigureChoice): Promise<vo
         await page.locator(`#picture-${side}`).fill(String(choice[side]));
         await page.locator(`#picture-${side}`).press('Tab');
     }
-    await page.locator('#background').selectOption('white');
+    await page.locator('#background').selectOption(choice.dark === true ? 'shown' : 'white');
     for (const [label, on] of [
         ['Scalar bar', choice.bar],
         ['Box and axes', choice.axes],

@@ -2,7 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Page } from 'playwright-core';
-import type { PageView } from '../../../web-client/src/state/pageView.ts';
+import { noClip, type PageView } from '../../../web-client/src/state/pageView.ts';
 import { encodeLinkState } from '../../../web-client/src/session/view/urlState.ts';
 import type { BodyLook } from '../../../web-client/src/state/bodyLook.ts';
 import type { SliceLook } from '../../../web-client/src/state/sliceLook.ts';
@@ -27,10 +27,14 @@ export interface Scene {
     /** The flow along the body is shown on it. */
     body?: Partial<BodyLook>;
     axes?: boolean;
+    /** As the page in the dark has it; else on white. */
+    dark?: boolean;
     /** As slice.set and lines.set take them. */
     slices?: Record<string, unknown>[];
     lines?: Record<string, unknown>[];
     sliceLook?: Partial<SliceLook>;
+    /** Surfaces are cut at the first slice, on the side of its normal. */
+    cut?: boolean;
     size?: [number, number];
 }
 
@@ -70,12 +74,17 @@ export async function linkTo(server: ServerProcess, scene: Scene): Promise<strin
     if (scene.family !== undefined) await server.call('family.make', { dataset, ...scene.family });
     const { surface } = await server.call('surface.set', { session, rake, dataset, ...more, ...parameters });
     await server.call('surface.wait', { session, surface, timeoutMs: 120_000 });
-    for (const slice of scene.slices ?? []) await server.call('slice.set', { session, dataset, ...slice });
+    const slices: string[] = [];
+    const slices: string[] = [];
+    for (const slice of scene.slices ?? []) {
+        slices.push(String((await server.call('slice.set', { session, dataset, ...slice }))['slice']));
+    }
     for (const lines of scene.lines ?? []) await server.call('lines.set', { session, dataset, ...lines });
     const view: PageView = {
         camera: { ...scene.camera, orthographic: false },
         surface: String(surface),
         looks: { [String(surface)]: scene.look },
+        ...(scene.cut === true ? { clip: { ...noClip, slice: { id: slices[0]!, flipped: false } } } : {}),
         ...(scene.body === undefined ? {} : { body: scene.body }),
         ...(scene.sliceLook === undefined ? {} : { slices: scene.sliceLook }),
     };
