@@ -2,16 +2,19 @@
 
 #include "server/net/download_request.hpp"
 
+#include <fmt/format.h>
+
 namespace wakesurf::server {
 
 using core::Error;
 using core::fail;
 
-core::Result<double> read_field_time(const std::string& text) {
+core::Result<double> read_field_time(const std::string& text, std::string_view name) {
     const auto time = finite_number(text);
     return time ? core::Result<double>(*time)
-                : fail(Error::Code::InvalidArgument, "`time` is not a finite number",
-                       "as in ?time=2.5");
+                : fail(Error::Code::InvalidArgument,
+                       fmt::format("`{}` is not a finite number", name),
+                       fmt::format("as in ?{}=2.5", name));
 }
 
 core::Result<double> time_of(std::optional<double> asked, const LoadedDataset& dataset) {

@@ -6,11 +6,12 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace wakesurf::server {
 
-/// Error: InvalidArgument.
-core::Result<double> read_field_time(const std::string& text);
+/// Error: InvalidArgument, naming the parameter.
+core::Result<double> read_field_time(const std::string& text, std::string_view name = "time");
 
 /// Returns the time to sample at. Error: InvalidArgument where the flow has several and none is given.
 core::Result<double> time_of(std::optional<double> asked, const LoadedDataset& dataset);

@@ -7,6 +7,7 @@
 #include "server/data/node_fields.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/region_text.hpp"
+#include "server/data/subtracted_field.hpp"
 #include "server/net/download_request.hpp"
 #include "server/net/field_request.hpp"
 
@@ -14,6 +15,7 @@
 
 #include <charconv>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <utility>
 #include <variant>
@@ -49,36 +51,68 @@ core::Result<core::Plane> read_plane(const std::string& text) {
         });
 }
 
-/// Holds the input of a file.
-struct SliceWork {
+/// What is sampled, and where.
+struct Sampled {
     core::SliceRequest request;
     std::shared_ptr<const LoadedDataset> dataset; ///< keeps what the field needs
+};
+
+/// Holds the input of a file.
+struct SliceWork {
+    Sampled sampled;
+    std::optional<Sampled> minus;
     const core::MemoryAccount* account;
 
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
+        const auto& [request, dataset] = sampled;
         const auto window = core::plane_window(request.plane, dataset->flow->domain());
         if (!window)
             return tl::unexpected(window.error());
         const auto [columns, rows] = core::raster_size(*window, request.samples);
-        const std::size_t bytes =
-            core::slice_memory(columns, rows) + protocol::slice_file_bytes(columns, rows);
+        const std::size_t bytes = core::slice_memory(columns, rows) * (minus ? 2 : 1) +
+                                  protocol::slice_file_bytes(columns, rows);
         if (!share.grow_to(bytes))
             return tl::unexpected(account->refusal("this slice", bytes));
         return core::sample_slice(request, *dataset->flow, stop)
+            .and_then([&](core::SliceRaster&& raster) {
+                return minus
+                           ? core::slice_minus(raster, minus->request, *minus->dataset->flow, stop)
+                           : core::Result<core::SliceRaster>(std::move(raster));
+            })
             .map([&](const core::SliceRaster& raster) {
                 return protocol::slice_file(raster, request.time);
             });
     }
 
     PriorityClass priority() const {
+        const core::SliceRequest& request = sampled.request;
         const bool velocity = std::holds_alternative<core::SpeedField>(request.field) ||
                               std::holds_alternative<core::VelocityAlong>(request.field);
-        const std::size_t cost = velocity ? 1 : 3;
+        const std::size_t cost = (velocity ? 1 : 3) * (minus ? 2 : 1);
         return request.samples * request.samples * cost <= quick_samples ? PriorityClass::Quick
                                                                          : PriorityClass::Long;
     }
 };
+
+/// Returns what a query subtracts. @param time  of what it is subtracted from @param other  whose field it is
+core::Result<Sampled> subtracted(const SliceQuery& query,
+                                 double time,
+                                 const std::string& field,
+                                 const std::shared_ptr<const LoadedDataset>& from,
+                                 core::Result<std::shared_ptr<const LoadedDataset>> other) {
+    if (!other)
+        return tl::unexpected(other.error());
+    const LoadedDataset& data = **other;
+    const auto then = time_of(query.minus_time.value_or(time), data);
+    if (!then)
+        return tl::unexpected(then.error());
+    return subtracted_field(field, from->info, data.info, data.scalars.get())
+        .map([&](const NodeField& there) {
+            return Sampled{{query.plane, sampled(there, data.scalars.get()), *then, query.samples},
+                           *other};
+        });
+}
 
 } // namespace
 
@@ -94,11 +128,15 @@ core::Result<SliceQuery> read_slice_query(const std::map<std::string, std::strin
             read = read_field_time(value).map([&](double time) { out.time = time; });
         else if (name == "field")
             out.field = value;
+        else if (name == "minus")
+            out.minus = value;
+        else if (name == "minusTime")
+            read = read_field_time(value, name).map([&](double time) { out.minus_time = time; });
         else
             read = fail(Error::Code::InvalidArgument,
                         "a slice has no parameter `" + name.substr(0, 64) + "`",
-                        "the parameters are ?plane=0,0,0:1,0,0, ?field=p, ?time=2.5 and "
-                        "?samples=640");
+                        "the parameters are ?plane=0,0,0:1,0,0, ?field=p, ?time=2.5, "
+                        "?samples=640, ?minus=DATASET and ?minusTime=2");
         if (!read)
             return tl::unexpected(read.error());
     }
@@ -125,14 +163,27 @@ core::Result<void> SliceDownloads::offer(const HttpRequest& request,
     const auto field = field_of(query->field, data);
     if (!field)
         return tl::unexpected(field.error());
-    const SliceWork work{{query->plane, sampled(*field, data.scalars.get()), *time, query->samples},
-                         *dataset,
-                         &account_};
+    SliceWork work{
+        {{query->plane, sampled(*field, data.scalars.get()), *time, query->samples}, *dataset},
+        {},
+        &account_};
+    std::string minus_tag;
+    if (query->minus || query->minus_time) {
+        auto minus = subtracted(*query, *time, field->name, *dataset,
+                                query->minus ? catalogue_.find(*query->minus) : dataset);
+        if (!minus)
+            return tl::unexpected(minus.error());
+        minus_tag = fmt::format(
+            "minus {} {} {} {}", query->minus.value_or(id), values_of(*minus->dataset),
+            minus->dataset->scalars ? minus->dataset->scalars->mark() : "", minus->request.time);
+        work.minus = std::move(*minus);
+    }
     const core::Plane& plane = query->plane;
-    const std::string tag = fmt::format(
-        "slice {} {} {} {},{},{} {},{},{} {} {} {}", id, values_of(data),
-        data.scalars ? data.scalars->mark() : "", plane.point.x, plane.point.y, plane.point.z,
-        plane.normal.x, plane.normal.y, plane.normal.z, field->name, *time, query->samples);
+    const std::string tag =
+        fmt::format("slice {} {} {} {},{},{} {},{},{} {} {} {} {}", id, values_of(data),
+                    data.scalars ? data.scalars->mark() : "", plane.point.x, plane.point.y,
+                    plane.point.z, plane.normal.x, plane.normal.y, plane.normal.z, field->name,
+                    *time, query->samples, minus_tag);
     files_.get(
         tag, line,
         [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {

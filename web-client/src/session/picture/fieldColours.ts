@@ -12,12 +12,27 @@ export class FieldColours {
     readonly meanings = signal<ReadonlyMap<string, FieldMeaning>>(new Map());
     /** Between which values of a field lie, by field, as far as things have shown. */
     private readonly spans = new Map<string, [number, number]>();
+    /** Of the other half of a comparison, which is to have the same ones. */
+    private other: FieldColours | null = null;
+
+    /** From now on colours mean the same in both. @param other null: no more */
+    join(other: FieldColours | null): void {
+        this.other = other;
+        for (const [field, span] of other?.spans ?? []) this.widen(field, span);
+    }
+
+    private widen(field: string, by: readonly [number, number]): void {
+        const [first] = [...this.meanings.peek()].find(([, meaning]) => meaning.field === field) ?? [];
+        if (first !== undefined) this.show(first, field, by);
+    }
 
     /** A thing shows a field. @param usual between which its values lie; null: it has none
      *  Returns whether all that show the field have other colours now. */
     show(id: string, field: string, usual: readonly [number, number] | null): boolean {
         const before = this.spans.get(field);
-        const wider = usual === null ? before : joined(before, usual);
+        const beside = this.other?.spans.get(field);
+        const known = beside === undefined ? before : joined(before, beside);
+        const wider = usual === null ? known : joined(known, usual);
         const changed = JSON.stringify(wider) !== JSON.stringify(before);
         if (wider !== undefined) this.spans.set(field, wider);
         const meanings = new Map(this.meanings.peek());
@@ -30,6 +45,7 @@ export class FieldColours {
             else meanings.set(each, { field, ...coloursOf(...wider) });
         }
         this.publish(meanings);
+        if (changed && wider !== undefined) this.other?.widen(field, wider);
         return changed;
     }
 

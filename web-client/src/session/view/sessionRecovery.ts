@@ -132,7 +132,7 @@ const plurals = {
 type Kind = keyof typeof plurals;
 
 /** What could not be made, by its kind, and the first reason. */
-class Refusals {
+export class Refusals {
     private readonly counts = new Map<Kind, number>();
     private why = '';
 
@@ -148,9 +148,13 @@ class Refusals {
     }
 
     get words(): string | null {
+        return this.says('Not recreated');
+    }
+
+    says(what: string): string | null {
         if (this.counts.size === 0) return null;
         const missing = [...this.counts].map(([kind, count]) => `${count} ${count === 1 ? kind : plurals[kind]}`).join(' and ');
-        return `Not recreated: ${missing}${this.why === '' ? '' : `. ${this.why}`}`;
+        return `${what}: ${missing}${this.why === '' ? '' : `. ${this.why}`}`;
     }
 }
 

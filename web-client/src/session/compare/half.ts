@@ -1,0 +1,35 @@
+// One half of a comparison: what of a page the other half is linked with. The right one is a page of its own, of a copy of the session,
+// without the panel and the time controls.
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { ViewState } from '../../state/viewState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+import type { Edits } from '../edits/edits.ts';
+import type { FieldColours } from '../picture/fieldColours.ts';
+import type { ClockControl } from '../time/clockControl.ts';
+import type { Playback } from '../time/playback.ts';
+
+export interface Half {
+    state: AppState;
+    view: ViewState;
+    scene: Pick<FlowScene, 'onDraw'> & {
+        controls: Pick<FlowScene['controls'], 'follow' | 'onMove' | 'pose'>;
+        loop: Pick<FlowScene['loop'], 'request'>;
+    };
+    edits: Pick<Edits, 'chooseRake' | 'chooseSurface' | 'followRake' | 'onRake'>;
+    colours: FieldColours;
+    playback: Pick<Playback, 'goTo' | 'mode' | 'time'>;
+    clock: Pick<ClockControl, 'set'>;
+    worker: Pick<WorkerClient, 'call'>;
+}
+
+/** Which time the right half shows. */
+export type TimeBeside =
+    | { kind: 'same' }
+    /** So much later than the left half. */
+    | { kind: 'offset'; by: number }
+    | { kind: 'at'; time: number };
+
+export function timeBeside(chosen: TimeBeside, left: number): number {
+    return chosen.kind === 'same' ? left : chosen.kind === 'offset' ? left + chosen.by : chosen.time;
+}

@@ -1,0 +1,147 @@
+// Above two pictures side by side: what each shows, and what the right one is to show.
+import { css, html, nothing, type TemplateResult } from 'lit';
+import type { Signal } from '@preact/signals-core';
+import { Compare } from '../../session/compare/compare.ts';
+import type { Beside } from '../../session/compare/compare.ts';
+import type { Half, TimeBeside } from '../../session/compare/half.ts';
+import { timeField, timeWords } from '../../session/picture/writtenNumbers.ts';
+import { isolated } from '../../state/announcements.ts';
+import { checkRow, numberField, selectRow } from '../base/rows.ts';
+import { ModelElement } from '../base/signalElement.ts';
+
+/** Loaded when it is first asked for. */
+export { Compare };
+
+export type Side = 'left' | 'right';
+
+export interface CompareBarModel {
+    compare: Compare<Beside>;
+    /** The half that the settings are those of. */
+    chosen: Signal<Side>;
+}
+
+const times = [
+    { value: 'same', words: 'same time' },
+    { value: 'offset', words: 'later by' },
+    { value: 'at', words: 'at' },
+] as const;
+
+export class CompareBar extends ModelElement<CompareBarModel> {
+    static override styles = css`
+        :host {
+            display: grid;
+            grid-template-columns: minmax(0, 1fr) minmax(0, 1fr);
+            background: var(--ground);
+            border-bottom: 1px solid var(--line);
+        }
+        .half {
+            display: flex;
+            flex-wrap: wrap;
+            gap: 4px 10px;
+            align-items: center;
+            padding: 5px 10px;
+        }
+        .half + .half {
+            border-left: 1px solid var(--line);
+        }
+        .shows {
+            margin: 0;
+            overflow-wrap: anywhere;
+        }
+        .end {
+            margin-left: auto;
+        }
+        .which[aria-pressed='true'] {
+            border-color: var(--accent);
+            background: var(--accent);
+            color: var(--ground);
+        }
+        input.number {
+            width: 84px;
+            text-align: right;
+        }
+        .half .row {
+            gap: 4px;
+        }
+        @media (max-width: 760px) {
+            :host {
+                grid-template-columns: minmax(0, 1fr);
+            }
+        }
+    `;
+
+    override render(): TemplateResult {
+        const { compare } = this.model;
+        const right = compare.right.value;
+        if (right === null) return html``;
+        return html`
+            <div class="half" role="group" aria-label="Left half">
+                ${this.which('left')}
+                <p class="shows" id="left-shows">${shownWords(compare.left)}</p>
+            </div>
+            <div class="half" role="group" aria-label="Right half">
+                ${this.which('right')}
+                <p class="shows" id="right-shows">${shownWords(right)}</p>
+                ${this.data()} ${this.time(right)}
+                ${checkRow('Move rakes together', compare.rakesTogether.value, (on) => (compare.rakesTogether.value = on), { id: 'rakes-together' })}
+                <button type="button" class="end" id="end-compare" @click=${() => void compare.end()}>End</button>
+            </div>
+        `;
+    }
+
+    private which(side: Side): TemplateResult {
+        const { chosen } = this.model;
+        const words = side === 'left' ? 'Left' : 'Right';
+        return html`<button
+            type="button"
+            class="which"
+            id=${`choose-${side}`}
+            title=${`Show the settings of the ${side} half in the panel`}
+            aria-pressed=${chosen.value === side ? 'true' : 'false'}
+            @click=${() => (chosen.value = side)}
+        >
+            ${words}
+        </button>`;
+    }
+
+    private data(): TemplateResult | typeof nothing {
+        const { compare } = this.model;
+        const { state } = compare.left;
+        const choices = state.datasets.value.map(({ dataset, name }) => ({ value: dataset, words: name }));
+        if (choices.length < 2) return nothing;
+        return selectRow('compare-data', 'Data', choices, compare.dataset.value, (dataset) => void compare.begin(dataset));
+    }
+
+    private time(right: Half): TemplateResult {
+        const { compare } = this.model;
+        const chosen = compare.time.value;
+        const number = chosen.kind === 'offset' ? chosen.by : chosen.kind === 'at' ? chosen.time : null;
+        const change = (kind: TimeBeside['kind']): void => {
+            const now = right.playback.time.value;
+            compare.time.value = kind === 'offset' ? { kind, by: 0 } : kind === 'at' ? { kind, time: now } : { kind };
+        };
+        return html`${selectRow('compare-time', 'Time', times, chosen.kind, change)}
+        ${
+            number === null
+                ? nothing
+                : numberField({
+                      ...{ id: 'compare-time-number', label: chosen.kind === 'offset' ? 'Later by' : 'Time of the right half' },
+                      shown: timeField(right.state, number),
+                      change: (typed) => {
+                          compare.time.value =
+                              chosen.kind === 'offset' ? { kind: 'offset', by: typed } : { kind: 'at', time: typed };
+                      },
+                  })
+        }`;
+    }
+}
+
+/** The dataset, and the time of its picture. */
+export function shownWords({ state, view, playback }: Pick<Half, 'state' | 'view' | 'playback'>): string {
+    const dataset = state.dataset.value;
+    if (dataset === null || state.stage.value === 'starting') return 'loading…';
+    const name = isolated(dataset.name);
+    return dataset.steady || dataset.times.length < 2 ? name : `${name}, t = ${timeWords(state, view, playback.time.value)}`;
+}
+
+customElements.define('wakesurf-compare-bar', CompareBar);
