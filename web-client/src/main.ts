@@ -7,10 +7,11 @@ import { type Graphics, probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/base/view.ts';
 import type { Beside, BesideOptions } from './session/compare/compare.ts';
+import { type Half, shownWords } from './session/compare/half.ts';
 import { Calls } from './session/base/calls.ts';
 import { ClockControl } from './session/time/clockControl.ts';
 import { Edits } from './session/edits/edits.ts';
-import { Figure } from './session/out/figure.ts';
+import { type BesideFigure, Figure } from './session/out/figure.ts';
 import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
 import { scriptedPage } from './session/out/scriptedPicture.ts';
@@ -79,6 +80,7 @@ interface Page extends Beside {
     app: App;
     panel: PanelModel;
     edits: Edits;
+    figure: Figure;
 }
 
 /** @param beside of the right half of a comparison; null: this is the page itself */
@@ -196,8 +198,9 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     const parts = { state, view, scene, bodyFields, fieldsShown };
     const scripted = scriptedPage({ ...parts, slices: slices.model, latency, canvas, figure });
     Object.assign(window, { [beside === null ? 'wakesurf' : 'wakesurfBeside']: scripted });
-    const half = { app, state, view, scene, edits, colours, playback, clock, worker, server };
+    const half = { app, figure, state, view, scene, edits, colours, playback, clock, worker, server };
     const comparison = beside === null ? loadCompare<Page>({ left: half, calls, views, open: openBeside }) : null;
+    figure.beside = () => besideOf(half, comparison?.right.value ?? null);
     listenForPresses(edits.gestures, () => state.notices.passed('press'));
     if (comparison !== null) {
         recallPanel(view);
@@ -219,6 +222,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
         app.fail(more === '' ? loggedOut : `${loggedOut} ${more}`);
     };
     const panel: PanelModel = {
+        beside: beside !== null,
         state,
         view,
         ownCopy,
@@ -290,6 +294,10 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
         scene.renderer.forceContextLoss();
     };
     return { ...half, panel, end };
+}
+
+function besideOf(left: Half, right: Page | null): BesideFigure | null {
+    return right === null ? null : { figure: right.figure, captions: [shownWords(left), shownWords(right)] };
 }
 
 function openBeside(options: BesideOptions): Page {

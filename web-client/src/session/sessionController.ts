@@ -162,8 +162,8 @@ export class SessionController {
                 return;
             }
             this.entered(joined, before);
-            if ((await this.options.prepare?.(joined.snapshot)) === true)
-                joined = await this.sessionJoin.enter(joined.snapshot.session);
+            const prepared = await this.options.prepare?.(joined.snapshot);
+            if (prepared === true) joined = await this.sessionJoin.enter(joined.snapshot.session);
             const { snapshot } = joined;
             const mayFill = state.role.value !== 'viewer' && url.beside !== true;
             const newLife = joined.resumeToken !== before;
@@ -184,8 +184,8 @@ export class SessionController {
             this.failures = 0;
             views.restore();
             this.sayDataset(entry.dataset);
-            if (url.beside !== true)
-                rememberSession({ session: snapshot.session, created: joined.created ?? '', dataset: entry.dataset });
+            if (url.beside === true) return;
+            rememberSession({ session: snapshot.session, created: joined.created ?? '', dataset: entry.dataset });
         } catch (error) {
             if (gone() || isDisconnected(error)) return;
             state.stage.value = 'failed';

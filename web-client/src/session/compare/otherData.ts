@@ -3,6 +3,7 @@
 import type { DatasetDescription, SessionSnapshot, SurfaceSetting } from '../../protocol/messages.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { settingForRecovery } from '../edits/surfaceIntent.ts';
+import { canCome } from '../picture/surfaceStyleOf.ts';
 import { clampTo } from '../time/timeSteps.ts';
 import { Refusals } from '../view/sessionRecovery.ts';
 
@@ -20,7 +21,7 @@ export async function showOtherData(
         const setting = settingForRecovery(record, own);
         const made = await refusals.of(
             'surface',
-            setting === null ? null : () => worker.call('surface.set', { ...inTimes(setting, description), surface, dataset }),
+            setting === null ? null : () => worker.call('surface.set', { ...fitted(setting, description), surface, dataset }),
         );
         if (made === null) await worker.call('surface.delete', { surface });
     }
@@ -35,8 +36,10 @@ export async function showOtherData(
     return refusals.says(`Not shown in ${description.name}`);
 }
 
-/** Nearest to its times that the data have. A stream surface may end at any. */
-function inTimes(setting: SurfaceSetting, { times, steady }: DatasetDescription): SurfaceSetting {
+/** With the times that the data have nearest to its own, and without values that they cannot give. A stream surface may end at any time. */
+function fitted(wanted: SurfaceSetting, description: DatasetDescription): SurfaceSetting {
+    const { times, steady } = description;
+    const setting = { ...wanted, fields: (wanted.fields ?? []).filter((field) => canCome(description, field)) };
     const [first, last] = [times[0], times.at(-1)];
     if (first === undefined || last === undefined || steady || first === last) return setting;
     const from = clampTo([first, last], setting.from);

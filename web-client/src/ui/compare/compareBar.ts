@@ -3,9 +3,8 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Signal } from '@preact/signals-core';
 import { Compare } from '../../session/compare/compare.ts';
 import type { Beside } from '../../session/compare/compare.ts';
-import type { Half, TimeBeside } from '../../session/compare/half.ts';
-import { timeField, timeWords } from '../../session/picture/writtenNumbers.ts';
-import { isolated } from '../../state/announcements.ts';
+import { type Half, shownWords, type TimeBeside } from '../../session/compare/half.ts';
+import { timeField } from '../../session/picture/writtenNumbers.ts';
 import { checkRow, numberField, selectRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
@@ -134,14 +133,6 @@ export class CompareBar extends ModelElement<CompareBarModel> {
                   })
         }`;
     }
-}
-
-/** The dataset, and the time of its picture. */
-export function shownWords({ state, view, playback }: Pick<Half, 'state' | 'view' | 'playback'>): string {
-    const dataset = state.dataset.value;
-    if (dataset === null || state.stage.value === 'starting') return 'loading…';
-    const name = isolated(dataset.name);
-    return dataset.steady || dataset.times.length < 2 ? name : `${name}, t = ${timeWords(state, view, playback.time.value)}`;
 }
 
 customElements.define('wakesurf-compare-bar', CompareBar);

@@ -24,7 +24,7 @@ export function loadCompare<Page extends Beside>(options: Omit<CompareOptions<Pa
     const load = async (): Promise<CompareBarModel> => {
         const { Compare } = await import('./compareBar.ts');
         const compare = new Compare({ ...options, close: () => (chosen.value = 'left') });
-        return (loaded.value ??= { compare: compare as never, chosen });
+        return (loaded.value ??= { compare, chosen });
     };
     return {
         right,
