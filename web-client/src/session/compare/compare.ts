@@ -8,7 +8,8 @@ import type { Calls } from '../base/calls.ts';
 import { fitting } from '../sessions/sessionList.ts';
 import type { UrlState } from '../view/urlState.ts';
 import type { Views } from '../view/views.ts';
-import type { Half, TimeBeside } from './half.ts';
+import type { OtherTime } from '../time/otherTime.ts';
+import type { Half } from './half.ts';
 import { linkHalves } from './linkHalves.ts';
 import { showOtherData } from './otherData.ts';
 
@@ -39,7 +40,7 @@ export class Compare<Page extends Beside> {
     /** Null: nothing is compared. */
     readonly right = signal<Page | null>(null);
     readonly busy = signal(false);
-    readonly time = signal<TimeBeside>({ kind: 'same' });
+    readonly time = signal<OtherTime>({ kind: 'same' });
     /** The dataset of the right half. */
     readonly dataset = signal('');
     readonly rakesTogether = signal(true);

@@ -25,17 +25,6 @@ export interface Half {
     worker: Pick<WorkerClient, 'call'>;
 }
 
-/** Which time the right half shows. */
-export type TimeBeside =
-    | { kind: 'same' }
-    /** So much later than the left half. */
-    | { kind: 'offset'; by: number }
-    | { kind: 'at'; time: number };
-
-export function timeBeside(chosen: TimeBeside, left: number): number {
-    return chosen.kind === 'same' ? left : chosen.kind === 'offset' ? left + chosen.by : chosen.time;
-}
-
 /** The dataset, and the time of its picture. */
 export function shownWords({ state, view, playback }: Pick<Half, 'state' | 'view' | 'playback'>): string {
     const dataset = state.dataset.value;

@@ -4,7 +4,8 @@ import { effect, type ReadonlySignal, type Signal, untracked } from '@preact/sig
 import type { CameraPose } from '../../scene/camera/cameraControls.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { automaticRanges } from '../picture/surfaceStyleOf.ts';
-import { type Half, type TimeBeside, timeBeside } from './half.ts';
+import { type OtherTime, otherTime } from '../time/otherTime.ts';
+import type { Half } from './half.ts';
 
 const looks = [
     'looks',
@@ -20,7 +21,7 @@ const looks = [
 ] as const satisfies readonly (keyof ViewState)[];
 
 export interface Links {
-    time: ReadonlySignal<TimeBeside>;
+    time: ReadonlySignal<OtherTime>;
     rakesTogether: ReadonlySignal<boolean>;
 }
 
@@ -43,7 +44,7 @@ export function linkHalves(left: Half, right: Half, { time, rakesTogether }: Lin
             left.view.rangesBeside.value = automaticRanges(right.state, right.view);
         }),
         effect(() => {
-            const then = timeBeside(time.value, left.playback.time.value);
+            const then = otherTime(time.value, left.playback.time.value);
             if (right.state.stage.value !== 'running') return;
             // Slices and streamlines alone have the time of the clock.
             const mode = right.playback.mode.value;

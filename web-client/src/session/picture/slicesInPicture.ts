@@ -23,6 +23,7 @@ import type { FieldColours, FieldMeaning } from './fieldColours.ts';
 import { planeWords } from './planeWords.ts';
 import { SliceArrows } from './sliceArrows.ts';
 import { onOtherData } from './newestValues.ts';
+import { membersOf, minusOf, type SliceMinus, minusWish, minusWords } from './sliceMinus.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
@@ -43,7 +44,10 @@ export interface SlicesOptions {
 }
 
 /** What of a slice can be edited. */
-export type SlicePlace = Pick<SliceRecord, 'origin' | 'normal' | 'field'>;
+export type SlicePlace = Pick<SliceRecord, 'origin' | 'normal' | 'field'> & {
+    /** Null: nothing is subtracted. */
+    minus: SliceMinus | null;
+};
 
 const mostLags = 1000;
 
@@ -91,9 +95,10 @@ export class Slices {
         });
         this.drafts = new RecordDrafts<SliceRecord, SlicePlace>({
             ...{ state, edits, noun: 'slice', records: state.slices, placeOf },
-            set: async (id, dataset, place, gesture) =>
-                (await worker.call('slice.set', { ...(id === undefined ? {} : { slice: id }), dataset, ...place, gesture }))
-                    .slice,
+            set: async (id, dataset, { minus, ...place }, gesture) => {
+                const slice = id === undefined ? {} : { slice: id };
+                return (await worker.call('slice.set', { ...slice, dataset, ...place, ...membersOf(minus), gesture })).slice;
+            },
             remove: (slice, gesture) => worker.call('slice.delete', { slice, gesture }),
             gone: (id) => this.forget(id),
         });
@@ -125,7 +130,7 @@ export class Slices {
         const { view } = this.options;
         const before = this.places.value.get(view.chosenThing.value ?? '') ?? [...this.places.value.values()][0];
         const field = before?.field ?? this.options.state.dataset.value?.velocity ?? '';
-        const made = await this.drafts.add({ origin, normal, field });
+        const made = await this.drafts.add({ origin, normal, field, minus: null });
         if (made !== null) view.chosenThing.value = made;
     }
 
@@ -191,10 +196,11 @@ export class Slices {
         const { dataset } = description;
         const time = dataTime(description, this.options.time());
         const visibility = view.visibility.value;
-        for (const [id, { origin, normal, field }] of this.places.value) {
+        for (const [id, { origin, normal, field, minus }] of this.places.value) {
             // The edit is about to be refused, in words.
             if (!shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
-            const wish = { dataset, origin, normal, field, time };
+            const less = minus === null ? {} : { minus: minusWish(minus, dataset, time) };
+            const wish = { dataset, origin, normal, field, time, ...less };
             this.values.want(id, wish);
             if (this.options.view.slices.value.arrows) this.arrows.want(id, wish);
             else this.arrows.remove(id);
@@ -219,11 +225,21 @@ export class Slices {
         const { field } = wish;
         this.rasters.set(id, raster);
         const usual = usualRange(raster);
-        this.colours.show(id, field, usual);
+        const place = this.places.peek().get(id);
+        this.colours.show(
+            id,
+            field,
+            usual,
+            minusWords(place?.minus ?? null, (other) => this.nameOf(other)),
+        );
         this.draw(id, raster);
         this.measure(keyOf(id, wish));
         const lacks = raster.inFlow === 0 ? 'This plane meets only bodies.' : `${field} has no values here at this time.`;
         putInto(this.faults, id, usual === null ? lacks : null);
+    }
+
+    private nameOf(dataset: string): string {
+        return this.options.state.datasets.peek().find((each) => each.dataset === dataset)?.name ?? dataset;
     }
 
     private measure(key: string): void {
@@ -254,11 +270,11 @@ function meets(bounds: readonly number[], origin: Vec3, normal: Vec3): boolean {
     return low <= at && at <= high;
 }
 
-function keyOf(id: string, { origin, normal, field }: SlicePlace): string {
+function keyOf(id: string, { origin, normal, field }: Pick<SlicePlace, 'origin' | 'normal' | 'field'>): string {
     return JSON.stringify([id, origin, normal, field]);
 }
 
 /** Without what the server alone writes. */
-function placeOf({ origin, normal, field }: SliceRecord): SlicePlace {
-    return { origin, normal, field };
+function placeOf({ origin, normal, field, ...rest }: SliceRecord): SlicePlace {
+    return { origin, normal, field, minus: minusOf(rest) };
 }

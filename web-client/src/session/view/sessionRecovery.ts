@@ -87,8 +87,7 @@ export async function recoverSession(
             (await refusals.of('surface', setting === null ? null : () => worker.call('surface.set', setting)));
         if (now !== null) surfaces.set(record.surface, now.surface);
     }
-    for (const { slice, dataset, origin, normal, field } of remembered.slices) {
-        const setting = { dataset, origin, normal, field };
+    for (const { slice, rev: _, ...setting } of remembered.slices) {
         const now =
             taken(left.slices, (each) => holds(each, setting)) ??
             (await refusals.of('slice', () => worker.call('slice.set', setting)));

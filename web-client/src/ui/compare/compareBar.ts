@@ -3,9 +3,10 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { Signal } from '@preact/signals-core';
 import { Compare } from '../../session/compare/compare.ts';
 import type { Beside } from '../../session/compare/compare.ts';
-import { type Half, shownWords, type TimeBeside } from '../../session/compare/half.ts';
+import { type Half, shownWords } from '../../session/compare/half.ts';
 import { timeField } from '../../session/picture/writtenNumbers.ts';
-import { checkRow, numberField, selectRow } from '../base/rows.ts';
+import { otherTimeRow } from '../base/otherTimeRow.ts';
+import { checkRow, selectRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 /** Loaded when it is first asked for. */
@@ -18,12 +19,6 @@ export interface CompareBarModel {
     /** The half that the settings are those of. */
     chosen: Signal<Side>;
 }
-
-const times = [
-    { value: 'same', words: 'same time' },
-    { value: 'offset', words: 'later by' },
-    { value: 'at', words: 'at' },
-] as const;
 
 export class CompareBar extends ModelElement<CompareBarModel> {
     static override styles = css`
@@ -112,26 +107,13 @@ export class CompareBar extends ModelElement<CompareBarModel> {
     }
 
     private time(right: Half): TemplateResult {
-        const { compare } = this.model;
-        const chosen = compare.time.value;
-        const number = chosen.kind === 'offset' ? chosen.by : chosen.kind === 'at' ? chosen.time : null;
-        const change = (kind: TimeBeside['kind']): void => {
-            const now = right.playback.time.value;
-            compare.time.value = kind === 'offset' ? { kind, by: 0 } : kind === 'at' ? { kind, time: now } : { kind };
-        };
-        return html`${selectRow('compare-time', 'Time', times, chosen.kind, change)}
-        ${
-            number === null
-                ? nothing
-                : numberField({
-                      ...{ id: 'compare-time-number', label: chosen.kind === 'offset' ? 'Later by' : 'Time of the right half' },
-                      shown: timeField(right.state, number),
-                      change: (typed) => {
-                          compare.time.value =
-                              chosen.kind === 'offset' ? { kind: 'offset', by: typed } : { kind: 'at', time: typed };
-                      },
-                  })
-        }`;
+        const { time } = this.model.compare;
+        return otherTimeRow({
+            ...{ id: 'compare-time', words: 'Time', chosen: time.value },
+            first: { by: 0, time: right.playback.time.value },
+            written: (number) => timeField(right.state, number),
+            change: (chosen) => (time.value = chosen),
+        });
     }
 }
 

@@ -173,12 +173,13 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         const { slices, lines } = this.model;
         const bars = new Map<string, Bar>();
         const add = (of: string, meanings: Iterable<FieldMeaning>): void => {
-            for (const { field, map, range } of meanings) {
-                const key = JSON.stringify([field, map, range]);
+            for (const { field, less, map, range } of meanings) {
+                const key = JSON.stringify([field, less, map, range]);
                 const held = bars.get(key);
                 if (held === undefined) {
                     const style = { ...plainScale, beyond: [null, null] as [null, null] };
-                    bars.set(key, { title: this.titleOf(field), colours: range, map, ...style, rangeOf: null, of: [of] });
+                    const title = [this.titleOf(field), less].filter((each) => each !== '').join(' ');
+                    bars.set(key, { title, colours: range, map, ...style, rangeOf: null, of: [of] });
                 } else if (!held.of.includes(of)) held.of.push(of);
             }
         };

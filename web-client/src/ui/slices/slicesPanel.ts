@@ -6,11 +6,12 @@ import { levelFields } from '../../session/edits/defaults.ts';
 import { dot, plus, times, unit } from '../../scene/rake/rakeShape.ts';
 import { spanWithin } from '../../scene/slices/sliceHandles.ts';
 import { type SlicePlace, Slices } from '../../session/picture/slicesInPicture.ts';
-import { withUnit } from '../../session/picture/writtenNumbers.ts';
+import { timeField, withUnit } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import { mostContours } from '../../state/sliceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
+import { otherTimeRow } from '../base/otherTimeRow.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 
@@ -18,9 +19,11 @@ import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 export { Slices };
 
 export interface SlicesModel {
-    state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'slices'>;
+    state: Pick<AppState, 'dataset' | 'datasets' | 'locked' | 'rakePoints' | 'slices' | 'surfaces'>;
     view: Pick<ViewState, 'chosenThing' | 'slices' | 'tool'>;
     slices: Slices;
+    /** Returns the time of the picture. */
+    time: () => number;
 }
 
 type Bounds = readonly [number, number, number, number, number, number];
@@ -121,6 +124,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                           ...{ low, high, step: (high - low) / steps },
                           change: (value) => slices.change(id, { origin: plus(origin, times(along, value - at)) }),
                       })}
+                      ${this.subtracting(id, place)}
                       <div class="triple" role="group" aria-label="Origin">
                           <span>Origin</span>
                           ${vectorFields(
@@ -153,6 +157,37 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
             ${checkRow('Arrows of the flow in the plane', look.arrows, (arrows) => (view.slices.value = { ...look, arrows }), { id: 'slice-arrows' })}
             ${look.arrows && longest !== undefined ? html`<p class="quiet">${arrowWords(longest, dataset)}</p>` : nothing}
         `;
+    }
+
+    /** What is subtracted: of its own data at first what was a time-step before. */
+    private subtracting(id: string, { minus }: SlicePlace): TemplateResult {
+        const { state, slices, time } = this.model;
+        const { dataset, name, times } = state.dataset.value!;
+        const step = (times[1] ?? 1) - (times[0] ?? 0);
+        const others = state.datasets.value.filter((each) => each.dataset !== dataset);
+        const choices = [
+            { value: '', words: 'nothing' },
+            { value: dataset, words: `${name} at another time`, disabled: times.length < 2 },
+            ...others.map((each) => ({ value: each.dataset, words: each.name })),
+        ];
+        const change = (next: SlicePlace['minus']): void => slices.change(id, { minus: next });
+        const choose = (chosen: string): void => {
+            if (chosen === '') change(null);
+            else if (chosen === dataset) change({ dataset: null, time: { kind: 'offset', by: -step } });
+            else change({ dataset: chosen, time: minus?.time ?? { kind: 'same' } });
+        };
+        const of = minus === null ? '' : (minus.dataset ?? dataset);
+        return html`${selectRow('slice-minus', 'Minus', choices, of, choose)}
+        ${
+            minus === null
+                ? nothing
+                : otherTimeRow({
+                      ...{ id: 'slice-minus-time', words: 'Its time', chosen: minus.time },
+                      first: { by: -step, time: time() },
+                      written: (number) => timeField(state, number),
+                      change: (chosen) => change({ ...minus, time: chosen }),
+                  })
+        }`;
     }
 
     private addAcross(rake: readonly Vec3[]): Promise<void> {
