@@ -20,6 +20,14 @@ class SliceTest(ServerTest):
         span = probed.max() - probed.min()
         self.assertLess(np.abs(probed - found.values[known]).max(), 1e-4 * span)
 
+    def test_minus_another_time_is_the_difference_of_both(self):
+        early, late, difference = (
+            self.client.slice("tornado", (0.5, 0.5, 0.3), (0, 0, 1), field="velocity_x", samples=16, **times)
+            for times in ({"time": 1}, {"time": 4}, {"time": 4, "minus_time": 1}))
+        self.assertLess(np.nanmax(np.abs(difference.values - (late.values - early.values))), 1e-4 * np.nanmax(np.abs(late.values)))
+        none = self.client.slice("tornado", (0.5, 0.5, 0.3), (0, 0, 1), time=1, samples=16, minus="tornado")
+        self.assertEqual(np.nanmax(np.abs(none.values)), 0)
+
     def test_is_written_as_a_row_a_sample(self):
         found = self.client.slice("tornado", (0.5, 0.5, 0.3), (0, 0, 1), time=0, samples=8)
         with tempfile.TemporaryDirectory() as folder:

@@ -66,9 +66,8 @@ TEST_F(SliceCommand, SubtractsAnotherDatasetAndSaysSoInTheNameOfTheField) {
     std::ifstream stream(file("a.csv"));
     std::string line;
     std::getline(stream, line);
-    EXPECT_EQ(line, R"(x,y,z,"velocity_x - velocity_x (flow:rotation)")
-    ");
-        while (std::getline(stream, line)) {
+    EXPECT_EQ(line, R"~(x,y,z,"velocity_x - velocity_x (flow:rotation)")~");
+    while (std::getline(stream, line)) {
         double x = 0, y = 0, z = 0, value = 0;
         char comma = 0;
         std::istringstream(line) >> x >> comma >> y >> comma >> z >> comma >> value;

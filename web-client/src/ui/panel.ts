@@ -347,7 +347,7 @@ export class Panel extends ModelElement<PanelModel> {
                 </div>
                 ${
                     this.model.beside
-                        ? html`<p class="quiet">Settings of the right half, which are kept until Compare ends.</p>`
+                        ? html`<p class="quiet">Settings of the right half, which go with it.</p>`
                         : html`<wakesurf-session-head .model=${this.model.sessionHead}></wakesurf-session-head>
                               <wakesurf-dataset-head .model=${this.model.datasetHead}></wakesurf-dataset-head>
                               ${this.place()}`

@@ -32,21 +32,21 @@ export function membersOf(minus: SliceMinus | null): Members {
     };
 }
 
-/** As an address has it. @param time of the slice; null: its data have one */
+/** As an address has it, and what colours of the difference are called. No time: its data have one. */
 export interface MinusWish {
     dataset: string;
     time: number | null;
+    words: string;
 }
 
-export function minusWish({ dataset, time }: SliceMinus, own: string, shown: number | null): MinusWish {
-    const then = shown === null && time.kind === 'same' ? null : otherTime(time, shown ?? 0);
-    return { dataset: dataset ?? own, time: then };
-}
-
-/** Empty: nothing is subtracted. @param nameOf a dataset */
-export function minusWords(minus: SliceMinus | null, nameOf: (dataset: string) => string): string {
-    if (minus === null) return '';
+/** @param shown  when the slice is of; null: its data have one time */
+export function minusWish(minus: SliceMinus, own: string, shown: number | null, nameOf: (dataset: string) => string): MinusWish {
     const { dataset, time } = minus;
+    const then = shown === null && time.kind === 'same' ? null : otherTime(time, shown ?? 0);
+    return { dataset: dataset ?? own, time: then, words: minusWords(minus, nameOf) };
+}
+
+export function minusWords({ dataset, time }: SliceMinus, nameOf: (dataset: string) => string): string {
     const then =
         time.kind === 'at'
             ? ` at t = ${shortNumber(time.time)}`

@@ -23,7 +23,7 @@ import type { FieldColours, FieldMeaning } from './fieldColours.ts';
 import { planeWords } from './planeWords.ts';
 import { SliceArrows } from './sliceArrows.ts';
 import { onOtherData } from './newestValues.ts';
-import { membersOf, minusOf, type SliceMinus, minusWish, minusWords } from './sliceMinus.ts';
+import { membersOf, minusOf, type SliceMinus, minusWish } from './sliceMinus.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
@@ -199,7 +199,7 @@ export class Slices {
         for (const [id, { origin, normal, field, minus }] of this.places.value) {
             // The edit is about to be refused, in words.
             if (!shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
-            const less = minus === null ? {} : { minus: minusWish(minus, dataset, time) };
+            const less = minus === null ? {} : { minus: minusWish(minus, dataset, time, (other) => this.nameOf(other)) };
             const wish = { dataset, origin, normal, field, time, ...less };
             this.values.want(id, wish);
             if (this.options.view.slices.value.arrows) this.arrows.want(id, wish);
@@ -225,13 +225,7 @@ export class Slices {
         const { field } = wish;
         this.rasters.set(id, raster);
         const usual = usualRange(raster);
-        const place = this.places.peek().get(id);
-        this.colours.show(
-            id,
-            field,
-            usual,
-            minusWords(place?.minus ?? null, (other) => this.nameOf(other)),
-        );
+        this.colours.show(id, field, usual, wish.minus?.words);
         this.draw(id, raster);
         this.measure(keyOf(id, wish));
         const lacks = raster.inFlow === 0 ? 'This plane meets only bodies.' : `${field} has no values here at this time.`;

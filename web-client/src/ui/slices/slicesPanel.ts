@@ -174,7 +174,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
         const choose = (chosen: string): void => {
             if (chosen === '') change(null);
             else if (chosen === dataset) change({ dataset: null, time: { kind: 'offset', by: -step } });
-            else change({ dataset: chosen, time: minus?.time ?? { kind: 'same' } });
+            else change({ dataset: chosen, time: minus === null || minus.dataset === null ? { kind: 'same' } : minus.time });
         };
         const of = minus === null ? '' : (minus.dataset ?? dataset);
         return html`${selectRow('slice-minus', 'Minus', choices, of, choose)}

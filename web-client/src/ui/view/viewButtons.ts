@@ -265,7 +265,7 @@ export class ToolButtons extends ModelElement<ToolsModel> {
                 ?disabled=${comparison.whyNot.value !== '' && comparison.right.value === null}
                 @click=${() => void comparison.toggle()}
             >
-                Compare
+                Side by side
             </button>
         </div>`;
     }
