@@ -199,10 +199,12 @@ class Client(Helpful):
         return out
 
     def slice(self, dataset: str, point: Sequence[float], normal: Sequence[float], *, field: Optional[str] = None,
-              time: Optional[float] = None, samples: int = 256) -> Slice:
+              time: Optional[float] = None, samples: int = 256, minus: Optional[str] = None,
+              minus_time: Optional[float] = None) -> Slice:
         """Returns a field on the part of a plane that is in the dataset's bounds: `samples` (1 to 2048) along the longer side.
         `field`: a stored scalar, or what surfaces can carry of the velocity, "vorticity", "q_criterion", "velocity_x" and so on;
-        left out, the speed. `time`: left out of a flow that stands still. Error: NotFound, InvalidParameters, OutsideTimeRange,
+        left out, the speed. `time`: left out of a flow that stands still. `minus`: the dataset whose field is subtracted, and
+        `minus_time`: at which time, left out: the same; one without the other is of this time or this dataset. Error: NotFound, InvalidParameters, OutsideTimeRange,
         OutsideDomain where the plane misses the bounds.
 
         >>> found = client.slice("tornado", (0.5, 0.5, 0.5), (0, 0, 1), field="vorticity", time=0, samples=64)
@@ -211,6 +213,10 @@ class Client(Helpful):
         """
         field = field or self._velocity(dataset)
         query = {"plane": f"{point_text(point, 'point')}:{point_text(normal, 'normal')}", "samples": str(int(plain(samples, "samples")))}
+        if minus is not None:
+            query["minus"] = minus
+        if minus_time is not None:
+            query["minusTime"] = repr(float(plain(minus_time, "minus_time")))
         return Slice.from_bytes(self._field_file(dataset, "slice.bin", query, field, time), field)
 
     def streamlines(self, dataset: str, *, line: Optional[Points] = None, plane: Optional[Points] = None,

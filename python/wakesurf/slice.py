@@ -39,6 +39,19 @@ class Slice:
         t = (np.arange(rows) + 0.5) / rows
         return np.asarray(self.corner + s[None, :, None] * self.across + t[:, None, None] * self.up)
 
+    @property
+    def area(self) -> float:
+        """Returns the area of the part that has values, to one sample along its border."""
+        cell = np.linalg.norm(self.across) * np.linalg.norm(self.up) / self.values.size
+        return float(cell * np.count_nonzero(np.isfinite(self.values)))
+
+    @property
+    def mean(self) -> float:
+        """Returns the mean over that part, NaN where there is none. Times `area` it is the integral: of the velocity's component
+        across the plane, what flows through it."""
+        known = self.values[np.isfinite(self.values)]
+        return float(known.mean()) if known.size else float("nan")
+
     def to_csv(self, path: Union[str, os.PathLike[str]]) -> None:
         """Writes x, y, z and the value of each sample that has one, a row each."""
         known = np.isfinite(self.values)

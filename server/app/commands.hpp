@@ -149,7 +149,9 @@ struct SliceOptions {
     std::string plane;               ///< point and normal
     std::vector<std::string> fields; ///< empty: the speed
     std::optional<double> time;      ///< nothing: the last
-    std::size_t samples = 512;       ///< along the longer side
+    std::string minus; ///< dataset whose fields are subtracted; empty: none, or its own
+    std::optional<double> minus_time; ///< nothing: the same
+    std::size_t samples = 512;        ///< along the longer side
     std::string output;
     std::uint64_t memory = 0; ///< 0: by the machine and the control group
     std::string store;

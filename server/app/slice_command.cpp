@@ -10,11 +10,14 @@
 #include "server/base/process_account.hpp"
 #include "server/data/node_fields.hpp"
 #include "server/data/region_text.hpp"
+#include "server/data/subtracted_field.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -29,12 +32,27 @@ namespace {
 /// The memory for a sample in each file, its text included, in bytes.
 constexpr std::size_t vts_bytes = 80, csv_bytes = 120;
 
-/// Samples every field on the same window.
+/// Says in a name what was subtracted: another dataset, another time, or both.
+std::string minus_words(const SliceOptions& options, double time) {
+    const std::string then = options.minus_time ? fmt::format("t = {:g}", time) : "";
+    if (options.minus.empty())
+        return " (" + then + ")";
+    return " (" + options.minus + (then.empty() ? ")" : ", " + then + ")");
+}
+
+/// Data at a time.
+struct DataThen {
+    const LoadedDataset& dataset;
+    double time;
+};
+
+/// Samples every field on the same window. @param minus  whose fields are subtracted; null: nothing is
 Result<std::vector<protocol::NamedRaster>> sample_fields(const SliceOptions& options,
                                                          const core::Plane& plane,
-                                                         double time,
-                                                         const LoadedDataset& dataset,
+                                                         const DataThen& data,
+                                                         const DataThen* minus,
                                                          const std::stop_token& stop) {
+    const LoadedDataset& dataset = data.dataset;
     std::vector<std::string> names = options.fields;
     if (names.empty())
         names = {dataset.info.velocity};
@@ -45,11 +63,23 @@ Result<std::vector<protocol::NamedRaster>> sample_fields(const SliceOptions& opt
             return tl::unexpected(field.error());
         const ElapsedLine progress("sampling " + name);
         auto raster = core::sample_slice(
-            {plane, sampled(*field, dataset.scalars.get()), time, options.samples}, *dataset.flow,
-            stop);
+            {plane, sampled(*field, dataset.scalars.get()), data.time, options.samples},
+            *dataset.flow, stop);
+        if (raster && minus != nullptr)
+            raster = subtracted_field(name, dataset.info, minus->dataset.info,
+                                      minus->dataset.scalars.get())
+                         .and_then([&](const NodeField& there) {
+                             return core::slice_minus(*raster,
+                                                      {plane,
+                                                       sampled(there, minus->dataset.scalars.get()),
+                                                       minus->time, options.samples},
+                                                      *minus->dataset.flow, stop);
+                         });
         if (!raster)
             return tl::unexpected(raster.error());
-        out.push_back({name, std::move(*raster)});
+        out.push_back(
+            {minus == nullptr ? name : name + " - " + name + minus_words(options, minus->time),
+             std::move(*raster)});
     }
     return out;
 }
@@ -74,17 +104,31 @@ Result<void> make(const SliceOptions& options, const std::stop_token& stop) {
     const auto time = chosen_time(options.time, *dataset);
     if (!time)
         return tl::unexpected(time.error());
+    std::optional<Result<LoadedDataset>> other;
+    if (!options.minus.empty())
+        other =
+            open_for_command(options.minus, options.store, options.taken, process.account(), stop);
+    if (other && !*other)
+        return tl::unexpected(other->error());
+    const bool subtracts = other || options.minus_time;
+    const LoadedDataset& subtracted = other ? **other : *dataset;
+    const auto then = chosen_time(options.minus_time ? options.minus_time : *time, subtracted);
+    if (subtracts && !then)
+        return tl::unexpected(then.error());
     const auto window = core::plane_window(plane, dataset->flow->domain());
     if (!window)
         return tl::unexpected(window.error());
     const auto [columns, rows] = core::raster_size(*window, options.samples);
     core::MemoryAccount::Share share = process.account().open(core::MemoryUse::Downloads);
     const std::size_t bytes =
-        std::max<std::size_t>(1, options.fields.size()) * core::slice_memory(columns, rows) +
+        (std::max<std::size_t>(1, options.fields.size()) + (subtracts ? 1 : 0)) *
+            core::slice_memory(columns, rows) +
         columns * rows * (csv ? csv_bytes : vts_bytes);
     if (!share.grow_to(bytes))
         return tl::unexpected(process.account().refusal("this slice", bytes));
-    const auto fields = sample_fields(options, plane, *time, *dataset, stop);
+    const DataThen minus{subtracted, then.value_or(0.0)};
+    const auto fields =
+        sample_fields(options, plane, {*dataset, *time}, subtracts ? &minus : nullptr, stop);
     if (!fields)
         return tl::unexpected(fields.error());
     return write_whole_file(file, csv ? protocol::slice_csv(*fields)
@@ -113,6 +157,12 @@ void add_slice_options(CLI::App& command, SliceOptions& options) {
                     "vorticity_z (default: the speed)")
         ->delimiter(',');
     command.add_option("--time", options.time, "Time of the slice (default: the last)")
+        ->check(CLI::Number);
+    command.add_option("--minus", options.minus,
+                       "Dataset whose fields are subtracted (default with --minus-time: the same)");
+    command
+        .add_option("--minus-time", options.minus_time,
+                    "Time of what is subtracted (default with --minus: that of the slice)")
         ->check(CLI::Number);
     command.add_option("--samples", options.samples, "Samples along the longer side")
         ->check(CLI::Range(std::size_t{1}, limits::slice_samples))

@@ -13,16 +13,14 @@ namespace wakesurf::server {
 using core::Error;
 using core::fail;
 
-core::Result<double> read_field_time(const std::string& text) {
+core::Result<double> read_field_time(const std::string& text, std::string_view name) {
     const auto time = finite_number(text);
     return time ? core::Result<double>(*time)
-                : fail(Error::Code::InvalidArgument, "`time` is not a finite number",
-                       "as in ?time=2.5");
+                : fail(Error::Code::InvalidArgument,
+                       fmt::format("`{}` is not a finite number", name),
+                       fmt::format("as in ?{}=2.5", name));
 }
 
-namespace {
-
-/// Returns the time to sample at.
 core::Result<double> time_of(std::optional<double> asked, const LoadedDataset& dataset) {
     const bool stands = dataset.info.steady || dataset.info.times.size() < 2;
     if (stands)
@@ -33,7 +31,13 @@ core::Result<double> time_of(std::optional<double> asked, const LoadedDataset& d
     return *asked;
 }
 
-} // namespace
+std::string values_tag(const std::string& id,
+                       const LoadedDataset& data,
+                       const std::string& field,
+                       double time) {
+    return fmt::format("{} {} {} {} {}", id, values_of(data),
+                       data.scalars ? data.scalars->mark() : "", field, time);
+}
 
 core::Result<FieldAtTime>
 field_at(const std::string& field, std::optional<double> time, const FieldSource& source) {
@@ -47,9 +51,8 @@ field_at(const std::string& field, std::optional<double> time, const FieldSource
         return tl::unexpected(at.error());
     return find_node_field(field.empty() ? data.info.velocity : field, data.info, scalars)
         .map([&](const NodeField& found) {
-            return FieldAtTime{*dataset, sampled(found, scalars), *at,
-                               fmt::format("{} {} {} {} {}", source.dataset, values_of(data),
-                                           scalars ? scalars->mark() : "", found.name, *at)};
+            return FieldAtTime{*dataset, sampled(found, scalars), found.name, *at,
+                               values_tag(source.dataset, data, found.name, *at)};
         });
 }
 

@@ -13,11 +13,19 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace wakesurf::server {
 
-/// Error: InvalidArgument.
-core::Result<double> read_field_time(const std::string& text);
+/// Error: InvalidArgument, naming the parameter.
+core::Result<double> read_field_time(const std::string& text, std::string_view name = "time");
+
+/// Returns the time to sample at. Error: InvalidArgument where the flow has several and none is given.
+core::Result<double> time_of(std::optional<double> asked, const LoadedDataset& dataset);
+
+/// Sets the values of a field at a time apart from all others. @param id  of the dataset
+std::string
+values_tag(const std::string& id, const LoadedDataset& data, const std::string& field, double time);
 
 /// What files are made of.
 struct FieldSource {
@@ -30,8 +38,9 @@ struct FieldSource {
 struct FieldAtTime {
     std::shared_ptr<const LoadedDataset> dataset; ///< keeps what the field needs
     core::SampledField field;
+    std::string name; ///< of the field
     double time;
-    std::string tag; ///< sets its values apart from all others
+    std::string tag; ///< values_tag
 };
 
 /// @param field  empty: the velocity. Error: NotFound, saying what there is; InvalidArgument where the flow has several times and none is

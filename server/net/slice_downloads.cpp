@@ -4,14 +4,17 @@
 #include "core/surface/slice/slice_raster.hpp"
 #include "protocol/wire/slice_file.hpp"
 #include "server/base/limits.hpp"
+#include "server/data/node_fields.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/region_text.hpp"
+#include "server/data/subtracted_field.hpp"
 #include "server/net/download_request.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <utility>
 #include <variant>
@@ -47,36 +50,76 @@ core::Result<core::Plane> read_plane(const std::string& text) {
         });
 }
 
-/// Holds the input of a file.
-struct SliceWork {
+/// What is sampled, and where.
+struct Sampled {
     core::SliceRequest request;
     std::shared_ptr<const LoadedDataset> dataset; ///< keeps what the field needs
+};
+
+/// Holds the input of a file.
+struct SliceWork {
+    Sampled sampled;
+    std::optional<Sampled> minus;
     const core::MemoryAccount* account;
 
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
+        const auto& [request, dataset] = sampled;
         const auto window = core::plane_window(request.plane, dataset->flow->domain());
         if (!window)
             return tl::unexpected(window.error());
         const auto [columns, rows] = core::raster_size(*window, request.samples);
-        const std::size_t bytes =
-            core::slice_memory(columns, rows) + protocol::slice_file_bytes(columns, rows);
+        const std::size_t bytes = core::slice_memory(columns, rows) * (minus ? 2 : 1) +
+                                  protocol::slice_file_bytes(columns, rows);
         if (!share.grow_to(bytes))
             return tl::unexpected(account->refusal("this slice", bytes));
         return core::sample_slice(request, *dataset->flow, stop)
+            .and_then([&](core::SliceRaster&& raster) {
+                return minus
+                           ? core::slice_minus(raster, minus->request, *minus->dataset->flow, stop)
+                           : core::Result<core::SliceRaster>(std::move(raster));
+            })
             .map([&](const core::SliceRaster& raster) {
                 return protocol::slice_file(raster, request.time);
             });
     }
 
     PriorityClass priority() const {
+        const core::SliceRequest& request = sampled.request;
         const bool velocity = std::holds_alternative<core::SpeedField>(request.field) ||
                               std::holds_alternative<core::VelocityAlong>(request.field);
-        const std::size_t cost = velocity ? 1 : 3;
+        const std::size_t cost = (velocity ? 1 : 3) * (minus ? 2 : 1);
         return request.samples * request.samples * cost <= quick_samples ? PriorityClass::Quick
                                                                          : PriorityClass::Long;
     }
 };
+
+/// A part of what is made, and what sets it apart.
+struct Part {
+    Sampled sampled;
+    std::string tag;
+};
+
+/// Returns what a query subtracts from a field.
+core::Result<Part>
+subtracted(const SliceQuery& query, const FieldAtTime& from, const FieldSource& source) {
+    const auto found = query.minus
+                           ? source.catalogue.find(*query.minus)
+                           : core::Result<std::shared_ptr<const LoadedDataset>>(from.dataset);
+    if (!found)
+        return tl::unexpected(found.error());
+    const LoadedDataset& data = **found;
+    const store::StoreScalars* const scalars = data.scalars.get();
+    const auto time = time_of(query.minus_time.value_or(from.time), data);
+    if (!time)
+        return tl::unexpected(time.error());
+    return subtracted_field(from.name, from.dataset->info, data.info, scalars)
+        .map([&](const NodeField& field) {
+            return Part{{{query.plane, sampled(field, scalars), *time, query.samples}, *found},
+                        fmt::format("minus {}", values_tag(query.minus.value_or(source.dataset),
+                                                           data, field.name, *time))};
+        });
+}
 
 } // namespace
 
@@ -92,11 +135,15 @@ core::Result<SliceQuery> read_slice_query(const std::map<std::string, std::strin
             read = read_field_time(value).map([&](double time) { out.time = time; });
         else if (name == "field")
             out.field = value;
+        else if (name == "minus")
+            out.minus = value;
+        else if (name == "minusTime")
+            read = read_field_time(value, name).map([&](double time) { out.minus_time = time; });
         else
             read = fail(Error::Code::InvalidArgument,
                         "a slice has no parameter `" + name.substr(0, 64) + "`",
-                        "the parameters are ?plane=0,0,0:1,0,0, ?field=p, ?time=2.5 and "
-                        "?samples=640");
+                        "the parameters are ?plane=0,0,0:1,0,0, ?field=p, ?time=2.5, "
+                        "?samples=640, ?minus=DATASET and ?minusTime=2");
         if (!read)
             return tl::unexpected(read.error());
     }
@@ -115,14 +162,23 @@ core::Result<FieldFile> plan_slice(const std::map<std::string, std::string>& que
     if (!values)
         return tl::unexpected(values.error());
     const core::Plane& plane = wanted->plane;
-    const SliceWork work{
-        {plane, values->field, values->time, wanted->samples}, values->dataset, &source.account};
-    return FieldFile{
+    SliceWork work{{{plane, values->field, values->time, wanted->samples}, values->dataset},
+                   {},
+                   &source.account};
+    std::string tag =
         fmt::format("slice {} {},{},{} {},{},{} {}", values->tag, plane.point.x, plane.point.y,
-                    plane.point.z, plane.normal.x, plane.normal.y, plane.normal.z, wanted->samples),
-        work.priority(), [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {
-            return work.make(stop, share);
-        }};
+                    plane.point.z, plane.normal.x, plane.normal.y, plane.normal.z, wanted->samples);
+    if (wanted->minus || wanted->minus_time) {
+        auto minus = subtracted(*wanted, *values, source);
+        if (!minus)
+            return tl::unexpected(minus.error());
+        tag += minus->tag;
+        work.minus = std::move(minus->sampled);
+    }
+    return FieldFile{tag, work.priority(),
+                     [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {
+                         return work.make(stop, share);
+                     }};
 }
 
 } // namespace wakesurf::server

@@ -1,5 +1,5 @@
-// The values on a plane over HTTP: /api/v1/datasets/D/slice.bin?plane=0,0,0:0,0,1&field=p&time=2.5&samples=320. Each reader asks at the
-// resolution of its own screen.
+// The values on a plane over HTTP: /api/v1/datasets/D/slice.bin?plane=0,0,0:0,0,1&field=p&time=2.5&samples=320, or that minus the
+// field of another dataset or time: &minus=E&minusTime=2. Each reader asks at the resolution of its own screen.
 #pragma once
 
 #include "core/base/plane.hpp"
@@ -22,6 +22,8 @@ struct SliceQuery {
     std::string field{}; ///< empty: the velocity
     std::optional<double> time{};
     std::size_t samples = 256;
+    std::optional<std::string> minus{}; ///< the dataset of what is subtracted
+    std::optional<double> minus_time{};
 };
 
 /// Error: InvalidArgument, naming the fault in the query.

@@ -1,9 +1,13 @@
 // What of a session shows a field of a dataset beside its surfaces: slices and streamlines.
 #include "core/surface/slice/plane_window.hpp"
 #include "server/data/node_fields.hpp"
+#include "server/data/subtracted_field.hpp"
 #include "server/sessions/session.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
+#include <vector>
 
 namespace wakesurf::server {
 
@@ -29,6 +33,39 @@ core::Result<void> check_lines(const protocol::LinesRecord& record, const OpenDa
         return fail(Error::Code::InvalidArgument, "`low` and `high` are no range of colours",
                     "give both, the lower one first, or neither");
     return core::check_line_seeds(record.places, dataset.flow->domain());
+}
+
+/// Checks what a slice subtracts.
+core::Result<void> check_minus(const protocol::SliceRecord& record,
+                               const OpenDataset& dataset,
+                               const Datasets& datasets) {
+    if (record.minus_time && record.minus_offset)
+        return fail(Error::Code::InvalidArgument,
+                    "`minusTime` and `minusOffset` exclude each other",
+                    "give the time of what is subtracted, or how much later it is");
+    if (!record.minus && !record.minus_time && !record.minus_offset)
+        return {};
+    const auto other =
+        record.minus ? datasets.open(*record.minus) : core::Result<OpenDataset>(dataset);
+    if (!other)
+        return tl::unexpected(other.error());
+    if (auto there =
+            subtracted_field(record.field, dataset.info, other->info, other->scalars.get());
+        !there) {
+        if (there.error().code == Error::Code::NotFound)
+            there.error().code = Error::Code::InvalidArgument;
+        return tl::unexpected(there.error());
+    }
+    const std::vector<double>& times = other->info.times;
+    const bool beside =
+        record.minus_time && times.size() > 1 &&
+        !(*record.minus_time >= times.front() && *record.minus_time <= times.back());
+    if (beside)
+        return fail(Error::Code::InvalidArgument,
+                    fmt::format("`minusTime` is {:g}, and {} has times from {:g} to {:g}",
+                                *record.minus_time, other->info.name, times.front(), times.back()),
+                    "give a time that is among them");
+    return {};
 }
 
 } // namespace
@@ -60,14 +97,22 @@ Session::set_field_record(R record, bool is_new, const Author& author, const Che
 
 core::Result<protocol::SliceRecord> Session::set_slice(const protocol::SliceSetting& setting,
                                                        const Author& author) {
-    const protocol::SliceRecord record{
-        setting.slice.value_or(""), 0, setting.dataset, setting.origin, setting.normal,
-        setting.field.value_or("")};
+    const protocol::SliceRecord record{setting.slice.value_or(""),
+                                       0,
+                                       setting.dataset,
+                                       setting.origin,
+                                       setting.normal,
+                                       setting.field.value_or(""),
+                                       setting.minus,
+                                       setting.minus_time,
+                                       setting.minus_offset};
     return set_field_record(record, !setting.slice, author,
-                            [](const protocol::SliceRecord& made, const OpenDataset& dataset) {
+                            [this](const protocol::SliceRecord& made, const OpenDataset& dataset) {
                                 return core::plane_window({made.origin, made.normal},
                                                           dataset.flow->domain())
-                                    .map([](const core::PlaneWindow&) {});
+                                    .and_then([&](const core::PlaneWindow&) {
+                                        return check_minus(made, dataset, services_.datasets);
+                                    });
                             });
 }
 

@@ -20,6 +20,21 @@ class SliceTest(ServerTest):
         span = probed.max() - probed.min()
         self.assertLess(np.abs(probed - found.values[known]).max(), 1e-4 * span)
 
+    def test_minus_another_time_is_the_difference_of_both(self):
+        early, late, difference = (
+            self.client.slice("tornado", (0.5, 0.5, 0.3), (0, 0, 1), field="velocity_x", samples=16, **times)
+            for times in ({"time": 1}, {"time": 4}, {"time": 4, "minus_time": 1}))
+        self.assertLess(np.nanmax(np.abs(difference.values - (late.values - early.values))), 1e-4 * np.nanmax(np.abs(late.values)))
+        none = self.client.slice("tornado", (0.5, 0.5, 0.3), (0, 0, 1), time=1, samples=16, minus="tornado")
+        self.assertEqual(np.nanmax(np.abs(none.values)), 0)
+
+    def test_has_an_area_and_a_mean_over_what_has_values(self):
+        found = self.client.slice("tornado", (0.5, 0.5, 0.5), (0, 0, 1), field="velocity_z", time=0, samples=64)
+        self.assertAlmostEqual(found.area, 1.0, places=9)  # of the unit cube
+        half = Slice(np.where(np.arange(4) < 2, [1.0, 2.0, 3.0, 4.0], np.nan)[None, :], np.zeros(3), np.array([8.0, 0, 0]),
+                     np.array([0, 0, 3.0]), "p", 0.0)
+        self.assertEqual((half.area, half.mean), (12.0, 1.5))
+
     def test_is_written_as_a_row_a_sample(self):
         found = self.client.slice("tornado", (0.5, 0.5, 0.3), (0, 0, 1), time=0, samples=8)
         with tempfile.TemporaryDirectory() as folder:

@@ -3,13 +3,15 @@
 // is made of parts that are made above it, and each panel is handed what it uses.
 import { computed } from '@preact/signals-core';
 import { OwnServer } from './connection/ownServer.ts';
-import { probeGraphics } from './scene/graphics.ts';
+import { type Graphics, probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/base/view.ts';
+import type { Beside, BesideOptions } from './session/compare/compare.ts';
+import { type Half, shownWords } from './session/compare/half.ts';
 import { Calls } from './session/base/calls.ts';
 import { ClockControl } from './session/time/clockControl.ts';
 import { Edits } from './session/edits/edits.ts';
-import { Figure } from './session/out/figure.ts';
+import { type BesideFigure, Figure } from './session/out/figure.ts';
 import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
 import { scriptedPage } from './session/out/scriptedPicture.ts';
@@ -44,6 +46,7 @@ import {
     readFragment,
     readNewLink,
     showFragment,
+    type UrlState,
     writeFragment,
 } from './session/view/urlState.ts';
 import { OwnCopy } from './session/sessions/ownCopy.ts';
@@ -57,6 +60,8 @@ import { LatencyLog } from './state/latency.ts';
 import type { SlicePlane } from './state/pageView.ts';
 import { ViewState } from './state/viewState.ts';
 import { App } from './ui/app.ts';
+import type { PanelModel } from './ui/panel.ts';
+import { loadCompare, noComparison } from './ui/compare/loadCompare.ts';
 import { listenForPresses, listenForUndoKeys } from './ui/base/keyboard.ts';
 import { recallPanel } from './ui/view/room.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
@@ -71,15 +76,16 @@ const noWebGl2 =
 
 const loggedOut = 'You are logged out. Open the link that wakesurf printed, or the one that you were given, to come back.';
 
-function start(app: App): void {
-    const url = readFragment(location.hash);
-    // The token must not stay in the address bar, in the history or in a link that is passed on.
-    showFragment(writeFragment(url.session, url.dataset, new URLSearchParams(location.hash.slice(1)).get('state')));
-    const graphics = probeGraphics();
-    if (graphics === null) {
-        app.fail(noWebGl2);
-        return;
-    }
+/** A page, as another one has it beside it. */
+interface Page extends Beside {
+    app: App;
+    panel: PanelModel;
+    edits: Edits;
+    figure: Figure;
+}
+
+/** @param beside of the right half of a comparison; null: this is the page itself */
+function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOptions | null): Page {
     const state = new AppState();
     const view = new ViewState();
     const latency = new LatencyLog();
@@ -150,6 +156,7 @@ function start(app: App): void {
         thumbnails,
         url,
         filled: () => playOnce({ state, playback }),
+        prepare: beside?.prepare,
     });
     const sessionList = new SessionList({ state, worker, server, restored: (session) => controller.restored(session) });
     const clock = new ClockControl({ state, worker, requestFrame });
@@ -191,12 +198,18 @@ function start(app: App): void {
     scene.loop.beforeFrame(() => feed.apply());
     showRakes(state, view, scene);
     const parts = { state, view, scene, bodyFields, fieldsShown };
-    Object.assign(window, { wakesurf: scriptedPage({ ...parts, slices: slices.model, latency, canvas, figure }) });
-    recallPanel(view);
-    listenForViewKeys({ view, scene, people });
+    const scripted = scriptedPage({ ...parts, slices: slices.model, latency, canvas, figure });
+    Object.assign(window, { [beside === null ? 'wakesurf' : 'wakesurfBeside']: scripted });
+    const half = { app, figure, state, view, scene, edits, colours, playback, clock, worker, server };
+    const comparison = beside === null ? loadCompare<Page>({ left: half, calls, views, open: openBeside }) : null;
+    figure.beside = () => besideOf(half, comparison?.right.value ?? null);
     listenForPresses(edits.gestures, () => state.notices.passed('press'));
-    listenForUndoKeys(edits);
-    followHistory(() => state.session.value);
+    if (comparison !== null) {
+        recallPanel(view);
+        listenForViewKeys({ view, scene, people });
+        listenForUndoKeys(() => (comparison.chosen.value === 'right' ? (comparison.right.value?.edits ?? edits) : edits));
+        followHistory(() => state.session.value);
+    }
     const retryNow = (): void => worker.retryNow();
     const session = (): string | null => state.session.value ?? url.session;
     const takeLink = (text: string): boolean => {
@@ -210,11 +223,44 @@ function start(app: App): void {
         worker.stop();
         app.fail(more === '' ? loggedOut : `${loggedOut} ${more}`);
     };
+    const panel: PanelModel = {
+        beside: beside !== null,
+        state,
+        view,
+        ownCopy,
+        help: { view },
+        sessionHead: { state, view, sessionList },
+        datasetHead: { state, sessionList },
+        pictureList: { state, view, edits, slices: slices.model, lines: lines.model },
+        surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
+        rake: { state, view, edits, scene },
+        slices: slices.model,
+        lines: lines.model,
+        means: { state, means },
+        look: { state, view, edits, scene, bodyFields, ownCopy },
+        bookmarks: { state, views, calls, clock },
+        probe: { state, view, probing, scene },
+        surroundings: { state, view, typeUnits: (change) => void typeUnits(state, calls, change) },
+        people: { state, view, people, calls, rename: (name) => controller.rename(name), logOut: leave },
+        links: { state, views, calls, worker, ownCopy },
+        notes: { state, view, calls, scene },
+        export: {
+            picture: { state, view, figure },
+            film: { state, view, playback, figure, film, ownCopy },
+            mesh: { state, view, mesh },
+            animation: {
+                ...{ state, animation: new MeshDownload(server) },
+                styleOf: (id) => scene.surfaces.spanOf(id)?.style ?? null,
+            },
+        },
+        status: { state, view, edits, progress, worker, mesh },
+    };
     app.begin({
+        comparison,
         state,
         scalarBar: { state, view, scene, bodyFields, slices: slices.model, lines: lines.model },
         viewButtons: { view, scene },
-        tools: { state, view },
+        tools: { state, view, comparison: comparison ?? noComparison },
         tour: { state, view, edits, playback, scene },
         banner: {
             state,
@@ -225,37 +271,7 @@ function start(app: App): void {
             restoreSession: () => controller.restore(),
             recoverSession: () => controller.recover(),
         },
-        panel: {
-            state,
-            view,
-            ownCopy,
-            help: { view },
-            sessionHead: { state, view, sessionList },
-            datasetHead: { state, sessionList },
-            pictureList: { state, view, edits, slices: slices.model, lines: lines.model },
-            surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
-            rake: { state, view, edits, scene },
-            slices: slices.model,
-            lines: lines.model,
-            means: { state, means },
-            look: { state, view, edits, scene, bodyFields, ownCopy },
-            bookmarks: { state, views, calls, clock },
-            probe: { state, view, probing, scene },
-            surroundings: { state, view, typeUnits: (change) => void typeUnits(state, calls, change) },
-            people: { state, view, people, calls, rename: (name) => controller.rename(name), logOut: leave },
-            links: { state, views, calls, worker, ownCopy },
-            notes: { state, view, calls, scene },
-            export: {
-                picture: { state, view, figure },
-                film: { state, view, playback, figure, film, ownCopy },
-                mesh: { state, view, mesh },
-                animation: {
-                    ...{ state, animation: new MeshDownload(server) },
-                    styleOf: (id) => scene.surfaces.spanOf(id)?.style ?? null,
-                },
-            },
-            status: { state, view, edits, progress, worker, mesh },
-        },
+        panel,
         note: { view, calls },
         timeBar: { state, view, playback, edits, ownCopy },
         plots: loadPlots({ state, view, worker, mesh, time: () => playback.time.value }, playback),
@@ -274,7 +290,32 @@ function start(app: App): void {
     worker.start(server.base, shown, (event) =>
         dispatchWorkerEvent(event, { state, feed, events, controller, server, loginEnded }),
     );
+    const end = (): void => {
+        worker.stop();
+        scene.renderer.dispose();
+        scene.renderer.forceContextLoss();
+    };
+    return { ...half, panel, end };
+}
+
+function besideOf(left: Half, right: Page | null): BesideFigure | null {
+    return right === null ? null : { figure: right.figure, captions: [shownWords(left), shownWords(right)] };
+}
+
+function openBeside(options: BesideOptions): Page {
+    const graphics = probeGraphics();
+    if (graphics === null) throw new Error(noWebGl2);
+    return start(new App(), options.url, graphics, options);
+}
+
+function startPage(app: App): void {
+    const url = readFragment(location.hash);
+    // The token must not stay in the address bar, in the history or in a link that is passed on.
+    showFragment(writeFragment(url.session, url.dataset, new URLSearchParams(location.hash.slice(1)).get('state')));
+    const graphics = probeGraphics();
+    if (graphics === null) app.fail(noWebGl2);
+    else start(app, url, graphics, null);
 }
 
 const app = document.querySelector('wakesurf-app');
-if (app instanceof App) start(app);
+if (app instanceof App) startPage(app);

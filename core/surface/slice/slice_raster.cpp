@@ -55,16 +55,51 @@ Band in_flow(const SliceRaster& raster,
 
 void take_values(const Band& band, std::span<const float> values, SliceRaster& into) {
     into.in_flow += band.sample.size();
-    for (std::size_t k = 0; k < values.size(); ++k) {
-        if (!std::isfinite(values[k]))
+    for (std::size_t k = 0; k < values.size(); ++k)
+        if (std::isfinite(values[k]))
+            into.values[band.sample[k]] = values[k];
+}
+
+std::optional<std::array<float, 2>> range_of(std::span<const float> values) {
+    std::optional<std::array<float, 2>> range;
+    for (const float value : values) {
+        if (!std::isfinite(value))
             continue;
-        into.values[band.sample[k]] = values[k];
-        if (!into.range)
-            into.range = {values[k], values[k]};
-        auto& [least, most] = *into.range;
-        least = std::min(least, values[k]);
-        most = std::max(most, values[k]);
+        if (!range)
+            range = {value, value};
+        auto& [least, most] = *range;
+        least = std::min(least, value);
+        most = std::max(most, value);
     }
+    return range;
+}
+
+/// Returns the samples of a field on the window of a raster.
+Result<SliceRaster> sample_window(const PlaneWindow& window,
+                                  const SliceRequest& request,
+                                  const std::array<std::size_t, 2>& size,
+                                  const Flow& flow,
+                                  const std::stop_token& stop) {
+    const auto time = time_in_data(flow, request.time);
+    if (!time)
+        return tl::unexpected(time.error());
+    SliceRaster raster;
+    raster.window = window;
+    raster.columns = size[0];
+    raster.rows = size[1];
+    raster.values.assign(raster.columns * raster.rows, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t begin = 0; begin < raster.values.size(); begin += band_samples) {
+        const std::size_t end = std::min(begin + band_samples, raster.values.size());
+        const Band band = in_flow(raster, flow, begin, end, stop);
+        if (stop.stop_requested())
+            return fail(Error::Code::Cancelled, "the slice was cancelled");
+        const auto values = sample_field(request.field, flow, band.place, *time, stop);
+        if (!values)
+            return tl::unexpected(values.error());
+        take_values(band, *values, raster);
+    }
+    raster.range = range_of(raster.values);
+    return raster;
 }
 
 } // namespace
@@ -92,23 +127,21 @@ sample_slice(const SliceRequest& request, const Flow& flow, const std::stop_toke
     const auto window = plane_window(request.plane, flow.domain());
     if (!window)
         return tl::unexpected(window.error());
-    SliceRaster raster;
-    raster.window = *window;
-    const auto [columns, rows] = raster_size(raster.window, request.samples);
-    raster.columns = columns;
-    raster.rows = rows;
-    raster.values.assign(raster.columns * raster.rows, std::numeric_limits<float>::quiet_NaN());
-    for (std::size_t begin = 0; begin < raster.values.size(); begin += band_samples) {
-        const std::size_t end = std::min(begin + band_samples, raster.values.size());
-        const Band band = in_flow(raster, flow, begin, end, stop);
-        if (stop.stop_requested())
-            return fail(Error::Code::Cancelled, "the slice was cancelled");
-        const auto values = sample_field(request.field, flow, band.place, *time, stop);
-        if (!values)
-            return tl::unexpected(values.error());
-        take_values(band, *values, raster);
-    }
-    return raster;
+    return sample_window(*window, request, raster_size(*window, request.samples), flow, stop);
+}
+
+Result<SliceRaster> slice_minus(const SliceRaster& raster,
+                                const SliceRequest& request,
+                                const Flow& flow,
+                                const std::stop_token& stop) {
+    auto other = sample_window(raster.window, request, {raster.columns, raster.rows}, flow, stop);
+    if (!other)
+        return other;
+    for (std::size_t i = 0; i < raster.values.size(); ++i)
+        other->values[i] = raster.values[i] - other->values[i];
+    other->in_flow = std::min(raster.in_flow, other->in_flow);
+    other->range = range_of(other->values);
+    return other;
 }
 
 } // namespace wakesurf::core

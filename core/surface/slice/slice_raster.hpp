@@ -30,7 +30,8 @@ struct SliceRaster {
     std::size_t rows = 0;
     /// Row by row from the window's corner; NaN outside the domain, in bodies and where the field has no value.
     std::vector<float> values;
-    std::size_t in_flow = 0; ///< samples in the domain and outside bodies, with or without a value
+    std::size_t in_flow =
+        0; ///< samples in the domain and outside bodies, with or without a value; of a difference, in both at the most
     std::optional<std::array<float, 2>> range; ///< of the values; nothing where there is none
 
     Vec3 place(std::size_t column, std::size_t row) const {
@@ -49,5 +50,12 @@ std::size_t slice_memory(std::size_t columns, std::size_t rows);
 /// depend on the number of threads. Thread safety: concurrent calls are fine. Cost: a sample of the field for each one in the flow.
 Result<SliceRaster>
 sample_slice(const SliceRequest& request, const Flow& flow, const std::stop_token& stop);
+
+/// Returns a raster minus a field of the same or another flow at the same places. Where that flow is not, has a body or no value, the
+/// difference has none. Of the request field and time count. Errors, threads and cost as of sample_slice.
+Result<SliceRaster> slice_minus(const SliceRaster& raster,
+                                const SliceRequest& request,
+                                const Flow& flow,
+                                const std::stop_token& stop);
 
 } // namespace wakesurf::core

@@ -75,7 +75,6 @@ export async function linkTo(server: ServerProcess, scene: Scene): Promise<strin
     const { surface } = await server.call('surface.set', { session, rake, dataset, ...more, ...parameters });
     await server.call('surface.wait', { session, surface, timeoutMs: 120_000 });
     const slices: string[] = [];
-    const slices: string[] = [];
     for (const slice of scene.slices ?? []) {
         slices.push(String((await server.call('slice.set', { session, dataset, ...slice }))['slice']));
     }

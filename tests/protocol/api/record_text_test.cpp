@@ -74,7 +74,8 @@ TEST(RecordText, EveryRecordComesBackWithTheSameBits) {
     EXPECT_EQ(*parse_bookmark(record_text(bookmark)), bookmark);
     const AnnotationRecord annotation{"a1", 9, "one\ntwo\t\xc3\xa9", {0.1, 2, 3}, "Ada", "s3"};
     EXPECT_EQ(*parse_annotation(record_text(annotation)), annotation);
-    const SliceRecord slice{"c1", 2, "data", {0.1, 1e-300, -0.0}, {1.0 / 3.0, 2, 0}, "p"};
+    const SliceRecord slice{"c1",    2,   "data", {0.1, 1e-300, -0.0}, {1.0 / 3.0, 2, 0}, "p",
+                            "other", 0.1, {}};
     EXPECT_EQ(*parse_slice(record_text(slice)), slice);
     const LinesRecord lines{"l1",
                             2,

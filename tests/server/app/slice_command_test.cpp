@@ -58,6 +58,23 @@ TEST_F(SliceCommand, WritesStoredAndDerivedFieldsSideBySide) {
     EXPECT_EQ(rows, 256);
 }
 
+TEST_F(SliceCommand, SubtractsAnotherDatasetAndSaysSoInTheNameOfTheField) {
+    const auto outcome =
+        run({"flow:rotation?omega=3", "--plane", "0,0,1:0,0,1", "--time", "0", "--fields",
+             "velocity_x", "--minus", "flow:rotation", "--samples", "8", "-o", file("a.csv")});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    std::ifstream stream(file("a.csv"));
+    std::string line;
+    std::getline(stream, line);
+    EXPECT_EQ(line, R"~(x,y,z,"velocity_x - velocity_x (flow:rotation)")~");
+    while (std::getline(stream, line)) {
+        double x = 0, y = 0, z = 0, value = 0;
+        char comma = 0;
+        std::istringstream(line) >> x >> comma >> y >> comma >> z >> comma >> value;
+        EXPECT_NEAR(value, -2.0 * y, 1e-5);
+    }
+}
+
 TEST_F(SliceCommand, RefusesWhatItCannotWriteInWords) {
     const auto refused = [&](std::vector<std::string> more, const std::string& part) {
         std::vector<std::string> words{"flow:sphere"};

@@ -67,4 +67,33 @@ TEST(SliceDownloads, HaveTheFieldOfAFlowAtATimeAndSayWhatCannotBeHad) {
     EXPECT_EQ(get("plane=1,0.5,0.5:0,0,1&time=3", "double-gyre").status, 200);
 }
 
+TEST(SliceDownloads, HaveAFieldMinusThatOfAnotherDatasetOrTimeAndSayWhatCannotBeSubtracted) {
+    const tests::ServerProcess server(
+        {"flow:rotation?omega=2,w=0", "flow:rotation?omega=0.5,w=0", "flow:double-gyre"});
+    const auto get = [&](const std::string& query, const std::string& dataset = "rotation") {
+        return tests::http(server.port(), "GET",
+                           "/api/v1/datasets/" + dataset + "/slice.bin?" + query, server.bearer());
+    };
+    const std::string plane = "plane=0,0,0:0,0,1&samples=21&field=velocity_y";
+    const auto raster = [&](const tests::HttpReply& reply) {
+        EXPECT_EQ(reply.status, 200) << reply.body;
+        return value_of(protocol::read_slice_file(std::as_bytes(std::span(reply.body)))).raster;
+    };
+    const core::SliceRaster less = raster(get(plane + "&minus=rotation-2"));
+    const core::SliceRaster none = raster(get(plane + "&minus=rotation"));
+    for (std::size_t column = 0; column < less.columns; ++column) {
+        EXPECT_NEAR(less.values[column], 1.5 * less.place(column, 0).x, 1e-3);
+        EXPECT_EQ(none.values[column], 0.0F);
+    }
+    const std::string gyre = "plane=1,0.5,0.05:0,0,1&samples=8&time=3";
+    const core::SliceRaster later = raster(get(gyre + "&minusTime=1", "double-gyre"));
+    EXPECT_NE(later.values[9], 0.0F);
+    const auto expect = [](const tests::HttpReply& refused, int status, const char* words) {
+        EXPECT_EQ(refused.status, status) << refused.body;
+        EXPECT_NE(refused.body.find(words), std::string::npos) << refused.body;
+    };
+    expect(get(plane + "&minus=none"), 404, "there is no dataset of this name");
+    expect(get(plane + "&minusTime=x"), 400, "`minusTime` is not a finite number");
+}
+
 } // namespace wakesurf::server::slice_downloads_test

@@ -343,6 +343,26 @@ TEST(Document, ASliceShowsAFieldOfItsDatasetWhereItsPlaneMeetsIt) {
     EXPECT_EQ(session.records().get<protocol::SliceRecord>("c1")->origin.x, 2.0);
 }
 
+TEST(Document, ASliceSaysWhatItSubtractsAndIsRefusedWhatItCannot) {
+    SessionBench bench;
+    server::Session& session = *bench.session;
+    auto setting = slice_at(2);
+    setting.minus_offset = 0.5;
+    const auto made = session.set_slice(setting, bench.ada);
+    ASSERT_TRUE(made) << made.error().message;
+    EXPECT_EQ(made->minus_offset, 0.5);
+    const auto refused = [&](const char* words) {
+        const auto edit = session.set_slice(setting, bench.ada);
+        ASSERT_FALSE(edit);
+        EXPECT_NE(edit.error().message.find(words), std::string::npos) << edit.error().message;
+    };
+    setting.minus_time = 1.0;
+    refused("exclude each other");
+    setting.minus_offset.reset();
+    setting.minus = "none";
+    refused("no dataset none");
+}
+
 TEST(Document, SlicesAreLimitedInNumber) {
     SessionBench bench;
     for (std::size_t i = 0; i < server::limits::slices; ++i)

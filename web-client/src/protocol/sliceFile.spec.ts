@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { noSliceValue, readSliceFile, sliceCodes, usualRange } from './sliceFile.ts';
+import { noSliceValue, readSliceFile, sliceCodes, sliceNumbers, usualRange } from './sliceFile.ts';
 
 /** Returns the bytes of a raster as the server writes them. */
 export function sliceBytes(columns: number, codes: readonly number[], range: [number, number] = [0, 1]): ArrayBuffer {
@@ -26,6 +26,13 @@ describe('the file of a slice', () => {
         expect(() => readSliceFile(good.slice(0, 114))).toThrow('cannot read');
         new DataView(good).setUint8(0, 0x58);
         expect(() => readSliceFile(good)).toThrow('cannot read');
+    });
+
+    it('has an area and a mean, of the part with values alone', () => {
+        const half = sliceCodes / 2;
+        const raster = readSliceFile(sliceBytes(2, [0, half, noSliceValue, noSliceValue], [2, 6]));
+        expect(sliceNumbers(raster)).toEqual({ area: 10, mean: 3 }); // of a rectangle of 4 by 5
+        expect(sliceNumbers(readSliceFile(sliceBytes(1, [noSliceValue])))).toBeNull();
     });
 
     it('has a usual range without the last per cent at each end', () => {

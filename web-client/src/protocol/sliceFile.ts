@@ -41,6 +41,19 @@ export function readSliceFile(bytes: ArrayBuffer): SliceRaster {
     };
 }
 
+/** Over the part of the plane that has values: its area, and the mean of them; null: none has. */
+export function sliceNumbers({ codes, range: [low, high], across, up }: SliceRaster): { area: number; mean: number } | null {
+    let [known, sum] = [0, 0];
+    for (const code of codes) {
+        if (code === noSliceValue) continue;
+        sum += code;
+        ++known;
+    }
+    if (known === 0) return null;
+    const whole = Math.hypot(...across) * Math.hypot(...up);
+    return { area: (whole * known) / codes.length, mean: low + ((high - low) * (sum / known)) / sliceCodes };
+}
+
 /** The values between which all but one per cent at each end lie; null: there are none. */
 export function usualRange({ codes, range: [low, high] }: SliceRaster): [number, number] | null {
     const counts = new Uint32Array(sliceCodes + 1);

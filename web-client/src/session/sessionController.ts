@@ -40,6 +40,8 @@ export interface SessionControllerOptions {
     url: UrlState;
     /** The session was empty, and has a first rake and surface now. */
     filled: () => void;
+    /** Brings its records into another form before they are shown; false: they are as they were. */
+    prepare?: ((snapshot: SessionSnapshot) => Promise<boolean>) | undefined;
 }
 
 export class SessionController {
@@ -153,15 +155,17 @@ export class SessionController {
         try {
             await this.checkServer();
             const before = this.sessionJoin.resumeToken;
-            const joined = await this.sessionJoin.join(url.dataset);
+            let joined = await this.sessionJoin.join(url.dataset);
             if (gone()) return;
             if (joined === null) {
                 await this.missing();
                 return;
             }
             this.entered(joined, before);
+            const prepared = await this.options.prepare?.(joined.snapshot);
+            if (prepared === true) joined = await this.sessionJoin.enter(joined.snapshot.session);
             const { snapshot } = joined;
-            const mayFill = state.role.value !== 'viewer';
+            const mayFill = state.role.value !== 'viewer' && url.beside !== true;
             const newLife = joined.resumeToken !== before;
             if (this.lost === null && newLife && mayFill && isEmpty(snapshot)) await this.look(snapshot.session);
             if (this.lost === null) this.adopt(snapshot);
@@ -180,6 +184,7 @@ export class SessionController {
             this.failures = 0;
             views.restore();
             this.sayDataset(entry.dataset);
+            if (url.beside === true) return;
             rememberSession({ session: snapshot.session, created: joined.created ?? '', dataset: entry.dataset });
         } catch (error) {
             if (gone() || isDisconnected(error)) return;

@@ -96,6 +96,8 @@ export class ViewState {
     /** What colours stand for while a film is made, by what they show; null: as the surfaces' values
      *  are. */
     readonly fixedRanges = signal<AutomaticRanges | null>(null);
+    /** What the surfaces of the other half of a comparison range over, which has the same colours. */
+    readonly rangesBeside = signal<AutomaticRanges>(new Map());
     readonly visibility = signal<Visibility>(allShown);
     /** What of the list of what is in the picture is chosen; null: the rake and the surface that the panel acts on. */
     readonly chosenThing = signal<ChosenThing | null>(null);

@@ -1,6 +1,7 @@
 // The page: the picture with its overlays, the panel beside it, the time below; or, where nothing
 // can be shown, the reason in words.
 import { css, html, nothing, type TemplateResult } from 'lit';
+import { keyed } from 'lit/directives/keyed.js';
 import { type ReadonlySignal, signal } from '@preact/signals-core';
 import type { AppState } from '../state/appState.ts';
 import './status/banner.ts';
@@ -19,14 +20,25 @@ import './time/timeBar.ts';
 import type { TimeBarModel } from './time/timeBar.ts';
 import './view/viewButtons.ts';
 import type { ToolsModel, ViewButtonsModel } from './view/viewButtons.ts';
+import type { CompareBarModel, Side } from './compare/compareBar.ts';
 import './help/tour.ts';
 import type { TourModel } from './help/tour.ts';
 
-/** What each part of the page takes, by the name of the part. */
 /** Are done with once they are pressed, other than handles of a rake, which arrow keys move. */
 const switches = 'button[aria-pressed]:not(.handle), input[type="checkbox"]';
 
+/** The comparison with a page beside this one, which is a picture alone; the panel is for the half that is chosen. */
+export interface AppComparison {
+    right: ReadonlySignal<{ app: HTMLElement; panel: PanelModel } | null>;
+    bar: ReadonlySignal<CompareBarModel | null>;
+    chosen: ReadonlySignal<Side>;
+    choose: (side: Side) => void;
+}
+
+/** What each part of the page takes, by the name of the part. */
 export interface PageModel {
+    /** Null: this is a right half, which has the picture alone. */
+    comparison: AppComparison | null;
     state: Pick<AppState, 'fatal' | 'problems'>;
     scalarBar: ScalarBarModel;
     viewButtons: ViewButtonsModel;
@@ -179,6 +191,38 @@ export class App extends SignalElement {
             grid-row: 3;
             grid-column: 1;
         }
+        .comparing {
+            grid-template: auto minmax(0, 1fr) auto auto / minmax(0, 1fr) minmax(0, 1fr) 304px;
+        }
+        .comparing.folded {
+            grid-template: auto minmax(0, 1fr) auto auto / minmax(0, 1fr) minmax(0, 1fr) 0;
+        }
+        .comparing > * {
+            grid-column: 1 / 3;
+        }
+        .comparing > main,
+        .comparing > wakesurf-app {
+            grid-row: 2;
+            grid-column: 1;
+            min-width: 0;
+        }
+        .comparing > wakesurf-app {
+            grid-column: 2;
+            border-left: 1px solid var(--line);
+        }
+        .comparing > wakesurf-plot-dock {
+            grid-row: 3;
+        }
+        .comparing > wakesurf-time-bar {
+            grid-row: 4;
+        }
+        .comparing > wakesurf-panel {
+            grid-row: 1 / 5;
+            grid-column: 3;
+        }
+        main.alone {
+            height: 100%;
+        }
         .folded {
             grid-template: minmax(0, 1fr) auto auto / minmax(0, 1fr) 0;
         }
@@ -257,6 +301,29 @@ export class App extends SignalElement {
             .layout.folded {
                 grid-template: minmax(0, 1fr) auto auto 0 / minmax(0, 1fr);
             }
+            .layout.comparing {
+                grid-template: auto minmax(24vh, 1fr) minmax(24vh, 1fr) auto auto minmax(0, 30vh) / minmax(0, 1fr);
+            }
+            .layout.comparing.folded {
+                grid-template: auto minmax(0, 1fr) minmax(0, 1fr) auto auto 0 / minmax(0, 1fr);
+            }
+            .layout.comparing > * {
+                grid-column: 1;
+            }
+            .layout.comparing > wakesurf-app {
+                grid-row: 3;
+                border-left: 0;
+                border-top: 1px solid var(--line);
+            }
+            .layout.comparing > wakesurf-plot-dock {
+                grid-row: 4;
+            }
+            .layout.comparing > wakesurf-time-bar {
+                grid-row: 5;
+            }
+            .layout.comparing > wakesurf-panel {
+                grid-row: 6;
+            }
             wakesurf-tour {
                 width: calc(100vw - 16px);
             }
@@ -316,6 +383,15 @@ export class App extends SignalElement {
         else problems.sayUntil('edit', NumberTyped.type, refusal);
     }
 
+    /** What a right half has of it. */
+    private pictureAlone(model: PageModel): TemplateResult {
+        return html`<main class="alone">
+            ${this.canvas} ${this.labels}
+            <wakesurf-scalar-bar .model=${model.scalarBar} @pointerdown=${this.handOn}></wakesurf-scalar-bar>
+            <wakesurf-banner .model=${model.banner}></wakesurf-banner>
+        </main>`;
+    }
+
     override render(): TemplateResult {
         const model = this.model.value;
         const reason = this.failure.value ?? model?.state.fatal.value ?? null;
@@ -326,10 +402,21 @@ export class App extends SignalElement {
             </main>`;
         }
         if (model === null) return html`<main></main>`;
+        const { comparison } = model;
+        if (comparison === null) return this.pictureAlone(model);
         const plots = model.plots.value;
+        const [right, bar] = [comparison.right.value, comparison.bar.value];
+        const onRight = right !== null && comparison.chosen.value === 'right';
+        const classes = [
+            'layout',
+            ...(model.viewButtons.view.panelFolded.value ? ['folded'] : []),
+            ...(plots === null ? [] : ['plotting']),
+            ...(right === null ? [] : ['comparing']),
+        ];
         return html`<button type="button" class="skip" @click=${this.skipToTime}>Skip to the time controls</button>
-            <div class=${`layout${model.viewButtons.view.panelFolded.value ? ' folded' : ''}${plots === null ? '' : ' plotting'}`} @number-typed=${this.numberTyped} @click=${this.clicked}>
-            <main>
+            <div class=${classes.join(' ')} @number-typed=${this.numberTyped} @click=${this.clicked}>
+            ${bar === null ? nothing : html`<wakesurf-compare-bar role="region" aria-label="Comparison" .model=${bar}></wakesurf-compare-bar>`}
+            <main @pointerdown=${() => comparison.choose('left')}>
                 ${this.canvas} ${this.labels}
                 <wakesurf-scalar-bar .model=${model.scalarBar} @pointerdown=${this.handOn}></wakesurf-scalar-bar>
                 <wakesurf-view-buttons .model=${model.viewButtons}></wakesurf-view-buttons>
@@ -337,9 +424,17 @@ export class App extends SignalElement {
                 <wakesurf-tour .model=${model.tour}></wakesurf-tour>
                 <wakesurf-banner .model=${model.banner}></wakesurf-banner>
             </main>
+            ${right?.app ?? nothing}
             ${plots === null ? nothing : html`<wakesurf-plot-dock role="region" aria-label="Plot" .model=${plots}></wakesurf-plot-dock>`}
             <wakesurf-time-bar role="region" aria-label="Time of the data" .model=${model.timeBar}></wakesurf-time-bar>
-            <wakesurf-panel role="complementary" aria-label="Settings" .model=${model.panel}></wakesurf-panel>
+            ${keyed(
+                onRight,
+                html`<wakesurf-panel
+                    role="complementary"
+                    aria-label=${onRight ? 'Settings of the right half' : 'Settings'}
+                    .model=${onRight ? right.panel : model.panel}
+                ></wakesurf-panel>`,
+            )}
             <wakesurf-note-dialog .model=${model.note}></wakesurf-note-dialog>
         </div>`;
     }

@@ -84,6 +84,8 @@ function exportBody(model: ExportModel): TemplateResult {
 
 /** What each of its parts takes, by the name of the part. */
 export interface PanelModel {
+    /** Of the right half of a comparison, which goes with it. */
+    beside: boolean;
     /** What the scripts that are offered below a part are made of. */
     state: AppState;
     view: ViewState;
@@ -343,12 +345,16 @@ export class Panel extends ModelElement<PanelModel> {
                     <h1>wakesurf</h1>
                     <wakesurf-help .model=${this.model.help}></wakesurf-help>
                 </div>
-                <wakesurf-session-head .model=${this.model.sessionHead}></wakesurf-session-head>
-                <wakesurf-dataset-head .model=${this.model.datasetHead}></wakesurf-dataset-head>
-                ${this.place()}
+                ${
+                    this.model.beside
+                        ? html`<p class="quiet">Settings of the right half, which go with it.</p>`
+                        : html`<wakesurf-session-head .model=${this.model.sessionHead}></wakesurf-session-head>
+                              <wakesurf-dataset-head .model=${this.model.datasetHead}></wakesurf-dataset-head>
+                              ${this.place()}`
+                }
             </div>
             <div role="tablist" aria-label="Settings" @keydown=${this.turn}>
-                ${tabs.map(({ id, label }) => this.tab(id, label, id === chosen.id))}
+                ${this.tabs.map(({ id, label }) => this.tab(id, label, id === chosen.id))}
             </div>
             <div role="tabpanel" id="tab-body" tabindex="0" aria-labelledby=${`tab-${chosen.id}`}>
                 ${dataset === null ? nothing : chosen.body(this.model)}
@@ -356,6 +362,11 @@ export class Panel extends ModelElement<PanelModel> {
             <wakesurf-copy-as .model=${this.model} .calls=${() => chosen.steps(this.model)}></wakesurf-copy-as>
             <wakesurf-status role="region" aria-label="Status" .model=${this.model.status}></wakesurf-status>
         `;
+    }
+
+    /** Nobody can be invited to a half. */
+    private get tabs(): readonly Tab[] {
+        return this.model.beside ? tabs.filter(({ id }) => id !== 'share') : tabs;
     }
 
     /** Returns what may be done here, where it is not everything; and whose session it is, where it is a
@@ -394,8 +405,9 @@ export class Panel extends ModelElement<PanelModel> {
     private turn(event: KeyboardEvent): void {
         const step = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
         if (step === undefined) return;
-        const at = tabs.findIndex(({ id }) => id === this.chosen.value);
-        const next = tabs[(at + step + tabs.length) % tabs.length]!;
+        const { tabs: own } = this;
+        const at = own.findIndex(({ id }) => id === this.chosen.value);
+        const next = own[(at + step + own.length) % own.length]!;
         this.chosen.value = next.id;
         this.renderRoot.querySelector<HTMLElement>(`#tab-${next.id}`)?.focus();
     }

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numbers>
 
 namespace wakesurf::core::slice_raster_test {
 
@@ -221,6 +222,63 @@ TEST(SliceRaster, WithFewerSamplesHasTheSameWindowAndSquaresAsFar) {
     const double width = glm::length(fine.window.across) / static_cast<double>(fine.columns);
     const double height = glm::length(fine.window.up) / static_cast<double>(fine.rows);
     EXPECT_NEAR(width / height, 1.0, 0.01);
+}
+
+TEST(SliceRaster, MinusItselfIsZeroEverywhere) {
+    const auto ball = [](const Vec3& x) { return glm::length(x) < 0.4; };
+    const Data data(
+        cube(17), [](const Vec3& x, double time) { return wave(x) + time; }, ball);
+    const auto raster = data.slice(oblique, 0.5);
+    const SliceRequest same{oblique, StoredScalar{data.scalar.get(), 0}, 0.5, 90};
+    const auto difference = slice_minus(*raster, same, *data.flow, {});
+    ASSERT_TRUE(difference);
+    EXPECT_EQ(difference->in_flow, raster->in_flow);
+    EXPECT_EQ(difference->range, (std::array<float, 2>{0.0F, 0.0F}));
+    for (std::size_t i = 0; i < raster->values.size(); ++i)
+        EXPECT_EQ(std::isnan(difference->values[i]), std::isnan(raster->values[i]));
+}
+
+TEST(SliceRaster, MinusAnotherTimeIsTheDifferenceOfTheClosedForms) {
+    const auto flow = make_analytic_flow("double-gyre").value();
+    const Plane plane{{1, 0.5, 0.05}, {0, 0, 1}};
+    const auto exact = [](const Vec3& x, double time) {
+        const double pi = std::numbers::pi;
+        const double sway = 0.25 * std::sin(0.2 * pi * time);
+        const double f = sway * x.x * x.x + (1.0 - 2.0 * sway) * x.x;
+        return -0.1 * pi * std::sin(pi * f) * std::cos(pi * x.y);
+    };
+    const VelocityAlong along_x{{1, 0, 0}};
+    const auto late = sample_slice({plane, along_x, 3.0, 60}, *flow, {});
+    const auto difference = slice_minus(*late, {plane, along_x, 1.0, 60}, *flow, {});
+    ASSERT_TRUE(difference);
+    EXPECT_LT(
+        largest_error(*difference, [&](const Vec3& x) { return exact(x, 3.0) - exact(x, 1.0); }),
+        1e-6);
+    EXPECT_LT((*difference->range)[0], 0.0F);
+    EXPECT_GT((*difference->range)[1], 0.0F);
+}
+
+TEST(SliceRaster, MinusSmallerDataHasNoValueOutsideOfThem) {
+    const auto linear = [](const Vec3& x, double) { return x.x + 2.0 * x.y; };
+    const Data large(cube(9), linear);
+    const Data small(UniformGrid{Vec3(-0.5), Vec3(0.125), {9, 9, 9}}, linear);
+    const Plane plane{{0, 0, 0}, {0, 0, 1}};
+    const auto difference =
+        slice_minus(*large.slice(plane), {plane, StoredScalar{small.scalar.get(), 0}, 0.0, 90},
+                    *small.flow, {});
+    ASSERT_TRUE(difference);
+    EXPECT_EQ(difference->columns, 90u) << "the window is that of what is subtracted from";
+    EXPECT_LT(largest_error(*difference,
+                            [](const Vec3& x) {
+                                const double away = std::max(std::abs(x.x), std::abs(x.y));
+                                return away <= 0.5 ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+                            }),
+              1e-6);
+    const auto never =
+        slice_minus(*large.slice(plane), {plane, StoredScalar{small.scalar.get(), 0}, 5.0, 90},
+                    *small.flow, {});
+    ASSERT_FALSE(never);
+    EXPECT_EQ(never.error().code, Error::Code::OutOfTime);
 }
 
 TEST(SliceRaster, StopsWhenItIsNotWantedAnyMore) {

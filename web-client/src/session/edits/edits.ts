@@ -36,6 +36,8 @@ export class Edits {
     private readonly rakes: RakeEdits;
     private readonly surfaces: SurfaceEdits;
     private readonly selection: Selection;
+    /** What this user makes of a rake is told, as of the other half of a comparison. */
+    onRake: ((rake: string, change: RakeChange) => void) | null = null;
     /** Made by this user, and chosen once its record is here. */
     private awaited: { rake: string } | { surface: string } | null = null;
 
@@ -86,6 +88,7 @@ export class Edits {
 
     moveRake(move: RakeMove): void {
         this.rakes.move(move);
+        this.onRake?.(this.state.activeRake.value ?? '', { shape: move.shape });
     }
 
     /** Returns what others are told of a move while it lasts. */
@@ -101,6 +104,12 @@ export class Edits {
     }
 
     changeRake(rake: string, change: RakeChange): void {
+        this.followRake(rake, change);
+        this.onRake?.(rake, change);
+    }
+
+    /** Does as is told of another rake: nothing is told of it. */
+    followRake(rake: string, change: RakeChange): void {
         this.rakes.change(rake, change);
     }
 

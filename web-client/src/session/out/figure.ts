@@ -1,6 +1,6 @@
 // What a figure is to show, chosen once for pictures and films, the picture as it is now, and whether what is on the screen of a surface is
 // all that a picture of it will have: what saved pictures and films wait for.
-import { signal } from '@preact/signals-core';
+import { type Signal, signal } from '@preact/signals-core';
 import type { SurfaceRecord } from '../../protocol/messages.ts';
 import type { ScreenSize } from '../../scene/base/view.ts';
 import { capture, type FigureBackground } from '../../scene/capture.ts';
@@ -10,6 +10,12 @@ import type { ViewState } from '../../state/viewState.ts';
 import { attributesOf } from '../picture/surfaceStyleOf.ts';
 import { clampTo, type Span } from '../time/timeSteps.ts';
 import { type RecipeSource, shownRecipes } from './recipes.ts';
+
+/** What is beside a picture, and what each of them shows, in words. */
+export interface BesideFigure {
+    figure: Figure;
+    captions: readonly [string, string];
+}
 
 export class Figure {
     readonly background = signal<FigureBackground>('shown');
@@ -26,6 +32,8 @@ export class Figure {
     readonly coarse = signal(true);
     /** The last one that was drawn had no room for it. */
     barLeftOut = false;
+    /** What a picture has at its right; null: nothing. */
+    beside: () => BesideFigure | null = () => null;
     private readonly scene: FlowScene;
     private readonly findBar: () => HTMLElement | null;
     private readonly source: RecipeSource;
@@ -38,15 +46,42 @@ export class Figure {
     }
 
     /** Returns the recipes of what has just been drawn. */
-    recipes(): Promise<string[]> {
-        return shownRecipes(this.source);
+    async recipes(): Promise<string[]> {
+        const beside = this.beside()?.figure.recipes() ?? [];
+        return [...(await shownRecipes(this.source)), ...(await beside)];
     }
 
     /** Returns the size of the picture on the page, in pixels of the screen. */
     get shownSize(): ScreenSize {
         const ratio = Math.max(1, devicePixelRatio);
         const { width, height } = this.scene.size;
-        return { width: Math.round(width * ratio), height: Math.round(height * ratio) };
+        const halves = this.beside() === null ? 1 : 2;
+        return { width: halves * Math.round(width * ratio), height: Math.round(height * ratio) };
+    }
+
+    /** As `draw`, with what is beside it, drawn as this one is. */
+    drawBoth(size: ScreenSize, caption: string | null): HTMLCanvasElement {
+        const right = this.beside();
+        if (right === null) return this.draw(size, caption);
+        const all = document.createElement('canvas');
+        Object.assign(all, size);
+        const context = all.getContext('2d');
+        if (context === null) throw new Error('This browser does not have enough memory for a picture of this size.');
+        const width = Math.floor(size.width / 2);
+        const captionOf = (side: 0 | 1): string => [right.captions[side], caption ?? ''].filter((each) => each !== '').join(', ');
+        const left = this.draw({ width, height: size.height }, captionOf(0));
+        context.drawImage(left, 0, 0);
+        const other = right.figure.drawAs(this, { width: size.width - width, height: size.height }, captionOf(1));
+        context.drawImage(other, width, 0);
+        this.barLeftOut ||= right.figure.barLeftOut;
+        return all;
+    }
+
+    private drawAs(figure: Figure, size: ScreenSize, caption: string): HTMLCanvasElement {
+        for (const name of ['background', 'bar', 'axes', 'scale', 'marks', 'text', 'rake'] as const) {
+            (this[name] as Signal<unknown>).value = figure[name].value;
+        }
+        return this.draw(size, caption);
     }
 
     /** Error: in words, where the graphics cannot draw it. */

@@ -52,7 +52,7 @@ describe('a set of streamlines', () => {
             'api/v1/datasets/flow/lines.bin?from=sphere%3A0%2C0%2C1%3A0.5&seeds=9&direction=both&field=U&time=9',
         ]);
         expect(lines.told.value.get('l1')).toBe('1 line. 8 of 9 seeds lie outside of the flow or in a body.');
-        expect(lines.meanings.value.get('l1')).toEqual({ field: 'U', map: 'viridis', range: [0, 2] });
+        expect(lines.meanings.value.get('l1')).toEqual({ field: 'U', less: '', map: 'viridis', range: [0, 2] });
         expect(lines.waiting.value).toBe(false);
     });
 

@@ -140,7 +140,7 @@ export class Lines {
         const usual = this.colours.meanings.value;
         for (const [id, { range, field }] of this.places.value) {
             const lines = this.files.get(id);
-            const meaning = usual.get(id) ?? { field, map: 'viridis' as const, range: [0, 1] as [number, number] };
+            const meaning = usual.get(id) ?? { field, less: '', map: 'viridis' as const, range: [0, 1] as [number, number] };
             const shown = range === null ? meaning : { ...meaning, range: [...range] as [number, number] };
             if (lines === undefined) continue;
             this.layer.set(id, lines, shown);

@@ -9,7 +9,7 @@ import type { AppState } from '../../state/appState.ts';
 import { planeNumbers, showsSurface, type SlicePlane } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { attributesOf, automaticRanges, styleOf } from './surfaceStyleOf.ts';
+import { attributesOf, automaticRanges, joinedRanges, styleOf } from './surfaceStyleOf.ts';
 
 export interface LooksOptions {
     state: AppState;
@@ -29,7 +29,10 @@ export function showLooks({ state, view, scene, worker, slicePlane }: LooksOptio
         // One that is shown again is new to the scene.
         void state.hiddenSurfaces.value;
         const fixed = view.fixedRanges.value;
-        const ranges = { automatic: fixed ?? automaticRanges(state, view), fixed: fixed !== null };
+        const ranges = {
+            automatic: fixed ?? joinedRanges(automaticRanges(state, view), view.rangesBeside.value),
+            fixed: fixed !== null,
+        };
         for (const [id, record] of state.surfaces.value) {
             const rake = state.rakes.value.get(record.rake ?? '');
             const outcome = state.outcomes.value.get(id);

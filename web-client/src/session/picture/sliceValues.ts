@@ -1,6 +1,7 @@
 // The values of slices: coarse ones with as many samples as come in time, fine ones with as many as the screen has.
 import type { Vec3 } from '../../protocol/messages.ts';
 import { readSliceFile, type SliceRaster } from '../../protocol/sliceFile.ts';
+import type { MinusWish } from './sliceMinus.ts';
 import { type Detail, NewestValues, type NewestValuesOptions } from './newestValues.ts';
 
 export interface SliceWish {
@@ -10,6 +11,7 @@ export interface SliceWish {
     field: string;
     /** Null: the data have one time. */
     time: number | null;
+    minus?: MinusWish | null;
 }
 
 export interface SliceValuesOptions extends Omit<NewestValuesOptions<SliceWish, SliceRaster>, 'path' | 'read' | 'detail'> {
@@ -53,8 +55,10 @@ class Samples implements Detail {
     }
 }
 
-export function pathOf({ dataset, origin, normal, field, time }: SliceWish, samples: number): string {
+export function pathOf({ dataset, origin, normal, field, time, minus = null }: SliceWish, samples: number): string {
     const query = new URLSearchParams({ plane: `${origin.join(',')}:${normal.join(',')}`, field, samples: String(samples) });
     if (time !== null) query.set('time', String(time));
+    if (minus !== null) query.set('minus', minus.dataset);
+    if (minus !== null && minus.time !== null) query.set('minusTime', String(minus.time));
     return `api/v1/datasets/${encodeURIComponent(dataset)}/slice.bin?${query.toString()}`;
 }

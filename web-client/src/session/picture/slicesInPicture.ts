@@ -2,7 +2,7 @@
 // server has answered. Loaded after the first picture.
 import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
 import type { SliceRecord, Vec3 } from '../../protocol/messages.ts';
-import { type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
+import { sliceNumbers, type SliceRaster, usualRange } from '../../protocol/sliceFile.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import { dot } from '../../scene/rake/rakeShape.ts';
 import { spanAcross } from '../../scene/slices/planeSection.ts';
@@ -23,11 +23,12 @@ import type { FieldColours, FieldMeaning } from './fieldColours.ts';
 import { planeWords } from './planeWords.ts';
 import { SliceArrows } from './sliceArrows.ts';
 import { onOtherData } from './newestValues.ts';
+import { membersOf, minusOf, type SliceMinus, minusWish } from './sliceMinus.ts';
 import { SliceValues, type SliceWish } from './sliceValues.ts';
 
 export interface SlicesOptions {
     state: AppState;
-    view: Pick<ViewState, 'besidePointer' | 'chosenThing' | 'clip' | 'slicePoints' | 'slices' | 'tool' | 'visibility'>;
+    view: Pick<ViewState, 'besidePointer' | 'chosenThing' | 'clip' | 'slicePoints' | 'slices' | 'tool' | 'units' | 'visibility'>;
     scene: Pick<FlowScene, 'add' | 'hold' | 'pick' | 'size' | 'view' | 'whenDrawn'> & {
         rakes: Pick<FlowScene['rakes'], 'pointUnder'>;
         loop: Pick<FlowScene['loop'], 'request'>;
@@ -43,7 +44,10 @@ export interface SlicesOptions {
 }
 
 /** What of a slice can be edited. */
-export type SlicePlace = Pick<SliceRecord, 'origin' | 'normal' | 'field'>;
+export type SlicePlace = Pick<SliceRecord, 'origin' | 'normal' | 'field'> & {
+    /** Null: nothing is subtracted. */
+    minus: SliceMinus | null;
+};
 
 const mostLags = 1000;
 
@@ -51,6 +55,8 @@ export class Slices {
     /** As they are drawn: as records say, or as this page edits them. */
     readonly places: ReadonlySignal<ReadonlyMap<string, SlicePlace>>;
     readonly meanings: ReadonlySignal<ReadonlyMap<string, FieldMeaning>>;
+    /** Of what is seen of one: an area, and the mean over it. */
+    readonly numbers = signal<ReadonlyMap<string, { area: number; mean: number }>>(new Map());
     /** Why nothing is seen of one. */
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there, or not as fine as the screen. */
@@ -91,9 +97,10 @@ export class Slices {
         });
         this.drafts = new RecordDrafts<SliceRecord, SlicePlace>({
             ...{ state, edits, noun: 'slice', records: state.slices, placeOf },
-            set: async (id, dataset, place, gesture) =>
-                (await worker.call('slice.set', { ...(id === undefined ? {} : { slice: id }), dataset, ...place, gesture }))
-                    .slice,
+            set: async (id, dataset, { minus, ...place }, gesture) => {
+                const slice = id === undefined ? {} : { slice: id };
+                return (await worker.call('slice.set', { ...slice, dataset, ...place, ...membersOf(minus), gesture })).slice;
+            },
             remove: (slice, gesture) => worker.call('slice.delete', { slice, gesture }),
             gone: (id) => this.forget(id),
         });
@@ -125,7 +132,7 @@ export class Slices {
         const { view } = this.options;
         const before = this.places.value.get(view.chosenThing.value ?? '') ?? [...this.places.value.values()][0];
         const field = before?.field ?? this.options.state.dataset.value?.velocity ?? '';
-        const made = await this.drafts.add({ origin, normal, field });
+        const made = await this.drafts.add({ origin, normal, field, minus: null });
         if (made !== null) view.chosenThing.value = made;
     }
 
@@ -179,6 +186,7 @@ export class Slices {
     private tell(id: string, fault: string | null): void {
         putInto(this.faults, id, fault);
         if (fault === null) return;
+        putInto(this.numbers, id, null);
         this.layer.remove(id);
         this.rasters.delete(id);
         this.options.scene.loop.request();
@@ -191,10 +199,11 @@ export class Slices {
         const { dataset } = description;
         const time = dataTime(description, this.options.time());
         const visibility = view.visibility.value;
-        for (const [id, { origin, normal, field }] of this.places.value) {
+        for (const [id, { origin, normal, field, minus }] of this.places.value) {
             // The edit is about to be refused, in words.
             if (!shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
-            const wish = { dataset, origin, normal, field, time };
+            const less = minus === null ? {} : { minus: minusWish(minus, dataset, time, (other) => this.nameOf(other)) };
+            const wish = { dataset, origin, normal, field, time, ...less };
             this.values.want(id, wish);
             if (this.options.view.slices.value.arrows) this.arrows.want(id, wish);
             else this.arrows.remove(id);
@@ -211,6 +220,7 @@ export class Slices {
         this.layer.remove(id);
         this.rasters.delete(id);
         putInto(this.faults, id, null);
+        putInto(this.numbers, id, null);
         this.colours.forget(id);
         this.options.scene.loop.request();
     }
@@ -219,11 +229,16 @@ export class Slices {
         const { field } = wish;
         this.rasters.set(id, raster);
         const usual = usualRange(raster);
-        this.colours.show(id, field, usual);
+        this.colours.show(id, field, usual, wish.minus?.words);
         this.draw(id, raster);
         this.measure(keyOf(id, wish));
         const lacks = raster.inFlow === 0 ? 'This plane meets only bodies.' : `${field} has no values here at this time.`;
         putInto(this.faults, id, usual === null ? lacks : null);
+        putInto(this.numbers, id, sliceNumbers(raster));
+    }
+
+    private nameOf(dataset: string): string {
+        return this.options.state.datasets.peek().find((each) => each.dataset === dataset)?.name ?? dataset;
     }
 
     private measure(key: string): void {
@@ -254,11 +269,11 @@ function meets(bounds: readonly number[], origin: Vec3, normal: Vec3): boolean {
     return low <= at && at <= high;
 }
 
-function keyOf(id: string, { origin, normal, field }: SlicePlace): string {
+function keyOf(id: string, { origin, normal, field }: Pick<SlicePlace, 'origin' | 'normal' | 'field'>): string {
     return JSON.stringify([id, origin, normal, field]);
 }
 
 /** Without what the server alone writes. */
-function placeOf({ origin, normal, field }: SliceRecord): SlicePlace {
-    return { origin, normal, field };
+function placeOf({ origin, normal, field, ...rest }: SliceRecord): SlicePlace {
+    return { origin, normal, field, minus: minusOf(rest) };
 }

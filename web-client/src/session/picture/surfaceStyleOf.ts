@@ -240,15 +240,23 @@ export function automaticRanges(
         const announced = state.valueRanges.value.get(id)?.find((each) => each.attribute === attribute);
         if (announced === undefined) continue;
         const meaning = meaningOf(look, record);
-        const other = ranges.get(meaning);
         const { low, high, least, greatest } = announced;
-        ranges.set(meaning, {
-            surfaces: (other?.surfaces ?? 0) + 1,
-            low: Math.min(low, other?.low ?? low),
-            high: Math.max(high, other?.high ?? high),
-            least: Math.min(least, other?.least ?? least),
-            greatest: Math.max(greatest, other?.greatest ?? greatest),
-        });
+        ranges.set(meaning, joinedRange({ surfaces: 1, low, high, least, greatest }, ranges.get(meaning)));
     }
     return ranges;
+}
+
+/** What both cover, of the meanings that the first has. */
+export function joinedRanges(own: AutomaticRanges, others: AutomaticRanges): AutomaticRanges {
+    return new Map([...own].map(([meaning, range]) => [meaning, joinedRange(range, others.get(meaning))]));
+}
+
+function joinedRange(a: AutomaticRange, b: AutomaticRange = a): AutomaticRange {
+    return {
+        surfaces: a === b ? a.surfaces : a.surfaces + b.surfaces,
+        low: Math.min(a.low, b.low),
+        high: Math.max(a.high, b.high),
+        least: Math.min(a.least, b.least),
+        greatest: Math.max(a.greatest, b.greatest),
+    };
 }

@@ -10,6 +10,12 @@ export interface UsualColours {
     range: [number, number];
 }
 
+/** Of a difference: the same about 0, whichever signs there are. */
+export function coloursOfDifference(low: number, high: number): UsualColours {
+    const [, end] = steadyRange(0, Math.max(Math.abs(low), Math.abs(high)));
+    return { map: 'coolToWarm', range: end > 0 ? [-end, end] : [-1, 1] };
+}
+
 /** The same about 0 where there are both signs, so that 0 is seen. */
 export function coloursOf(low: number, high: number): UsualColours {
     if (low < 0 && high > 0 && Math.min(-low, high) > bothSigns * Math.max(-low, high)) {

@@ -90,8 +90,7 @@ export async function recoverSession(
             (await refusals.of('surface', setting === null ? null : () => worker.call('surface.set', setting)));
         if (now !== null) surfaces.set(record.surface, now.surface);
     }
-    for (const { slice, dataset, origin, normal, field } of remembered.slices) {
-        const setting = { dataset, origin, normal, field };
+    for (const { slice, rev: _, ...setting } of remembered.slices) {
         const now =
             taken(left.slices, (each) => holds(each, setting)) ??
             (await refusals.of('slice', () => worker.call('slice.set', setting)));
@@ -135,7 +134,7 @@ const plurals = {
 type Kind = keyof typeof plurals;
 
 /** What could not be made, by its kind, and the first reason. */
-class Refusals {
+export class Refusals {
     private readonly counts = new Map<Kind, number>();
     private why = '';
 
@@ -151,9 +150,13 @@ class Refusals {
     }
 
     get words(): string | null {
+        return this.says('Not recreated');
+    }
+
+    says(what: string): string | null {
         if (this.counts.size === 0) return null;
         const missing = [...this.counts].map(([kind, count]) => `${count} ${count === 1 ? kind : plurals[kind]}`).join(' and ');
-        return `Not recreated: ${missing}${this.why === '' ? '' : `. ${this.why}`}`;
+        return `${what}: ${missing}${this.why === '' ? '' : `. ${this.why}`}`;
     }
 }
 

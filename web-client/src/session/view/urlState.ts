@@ -20,6 +20,8 @@ export interface UrlState {
     session: string | null;
     dataset: string | null;
     state: LinkState | null;
+    /** Of the right half of a comparison: the address bar, and what this browser remembers, are the left one's. */
+    beside?: true;
 }
 
 export function readFragment(fragment: string): UrlState {

@@ -179,6 +179,7 @@ export class Views {
 
     private changed(): void {
         const { state, url } = this.options;
+        if (url.beside === true) return;
         if (state.session.value !== this.written) {
             // At once: a user who reloads the page must come back to the session.
             this.written = state.session.value;

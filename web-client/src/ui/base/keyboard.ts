@@ -40,7 +40,8 @@ export function listenForPresses(gestures: Gestures, pressed: () => void): void 
     addEventListener('blur', () => gestures.release());
 }
 
-export function listenForUndoKeys(edits: Edits): void {
+/** @param edits of the half that is chosen, of two */
+export function listenForUndoKeys(edits: () => Pick<Edits, 'undo' | 'redo'>): void {
     addEventListener('keydown', (event) => {
         const key = event.key.toLowerCase();
         // In a field the keys take back what was typed there.
@@ -48,6 +49,6 @@ export function listenForUndoKeys(edits: Edits): void {
         const redo = (key === 'z' && event.shiftKey) || key === 'y';
         if (!redo && key !== 'z') return;
         event.preventDefault();
-        void (redo ? edits.redo() : edits.undo());
+        void (redo ? edits().redo() : edits().undo());
     });
 }

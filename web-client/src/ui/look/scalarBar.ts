@@ -47,6 +47,8 @@ const barsAtMost = 4;
 /** What a bar shows, of all that it is true of. */
 interface Bar extends Pick<SurfaceStyle, 'map' | 'inverted' | 'logarithmic' | 'root' | 'bands' | 'beyond'> {
     title: string;
+    /** What is subtracted, in words. */
+    less?: string;
     colours: readonly [number, number];
     rangeOf: keyof typeof rangeWords | null;
     of: string[];
@@ -173,12 +175,12 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         const { slices, lines } = this.model;
         const bars = new Map<string, Bar>();
         const add = (of: string, meanings: Iterable<FieldMeaning>): void => {
-            for (const { field, map, range } of meanings) {
-                const key = JSON.stringify([field, map, range]);
+            for (const { field, less, map, range } of meanings) {
+                const key = JSON.stringify([field, less, map, range]);
                 const held = bars.get(key);
                 if (held === undefined) {
                     const style = { ...plainScale, beyond: [null, null] as [null, null] };
-                    bars.set(key, { title: this.titleOf(field), colours: range, map, ...style, rangeOf: null, of: [of] });
+                    bars.set(key, { title: this.titleOf(field), less, colours: range, map, ...style, rangeOf: null, of: [of] });
                 } else if (!held.of.includes(of)) held.of.push(of);
             }
         };
@@ -215,7 +217,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         ];
     }
 
-    private bar({ title, colours, of, rangeOf, ...style }: Bar, severalBars: boolean): TemplateResult {
+    private bar({ title, less: subtracted = '', colours, of, rangeOf, ...style }: Bar, severalBars: boolean): TemplateResult {
         const [low, high] = colours;
         const scale = scaleOf(style);
         const resolution = resolutionOf(low, high);
@@ -237,7 +239,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         const whose = rangeOf === null ? '' : rangeWords[rangeOf];
         const { ticks, shared } = colourTicks(low, high, scale, 5);
         const said = [
-            `${title} from ${from} to ${to}${scaleWords[scale]}${style.bands === 0 ? '' : `, in ${style.bands} bands`}`,
+            `${title} ${subtracted === '' ? '' : `${subtracted} `}from ${from} to ${to}${scaleWords[scale]}${style.bands === 0 ? '' : `, in ${style.bands} bands`}`,
             whose,
             beyond,
         ]
@@ -246,6 +248,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         return html`<figure aria-label=${`Colours: ${said}`} data-table=${`${style.map} ${style.inverted}${style.bands === 0 ? '' : ` ${style.bands}`}`}>
             <figcaption>
                 <span>${title}</span>
+                ${subtracted === '' ? nothing : html`<span>${subtracted}</span>`}
                 <span class="range">${from} to ${to}${shortScale[scale]}</span>
                 ${severalBars ? html`<span class="range">${of.join(', ')}</span>` : nothing}
                 ${whose === '' ? nothing : html`<span class="range whose">${whose}</span>`}

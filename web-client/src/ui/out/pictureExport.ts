@@ -70,7 +70,8 @@ export class PictureExport extends ModelElement<PictureExportModel> {
                 />
             </div>
             <div class="row"><button type="button" id="save-picture" @click=${this.save}>Save PNG</button></div>
-            <p class="hint" id="picture-time">As it is shown, at t = ${timeWords(state, view, shownTime(state))}. The name of the file says so.</p>
+            <p class="hint" id="picture-time">As it is shown, at t = ${timeWords(state, view, shownTime(state))}. The name of the file says so.
+                ${figure.beside() === null ? nothing : 'With both halves of the comparison.'}</p>
             ${this.fault.value === '' ? nothing : html`<p class="hint" role="alert">${this.fault.value}</p>`}
         `;
     }
@@ -86,7 +87,7 @@ export class PictureExport extends ModelElement<PictureExportModel> {
         if (this.fault.value !== '') return;
         try {
             const coarse = pictureIsCoarse(state);
-            const picture = figure.draw(size, coarse && figure.coarse.value ? coarseCaption : null);
+            const picture = figure.drawBoth(size, coarse && figure.coarse.value ? coarseCaption : null);
             const recipes = await figure.recipes();
             const drawn = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
             if (drawn === null) throw new Error('This browser does not have enough memory for a picture of this size.');
@@ -128,7 +129,7 @@ export interface FilmExportModel {
     state: Pick<AppState, 'bookmarks' | 'dataset' | 'participants' | 'role' | 'surfaces'>;
     view: Pick<ViewState, 'units'>;
     playback: Pick<Playback, 'mode' | 'span'>;
-    figure: Pick<Figure, 'shownSize'>;
+    figure: Pick<Figure, 'beside' | 'shownSize'>;
     film: Pick<FilmMaker, 'record' | 'cancel' | 'progress'>;
     ownCopy: OwnCopyButton['model'];
 }
@@ -157,6 +158,7 @@ export class FilmExport extends ModelElement<FilmExportModel> {
         const still = playback.mode.value === 'none' && this.poses().length < 2;
         const others = state.participants.value.size > 1 && playback.mode.value === 'clock';
         return html`
+            ${figure.beside() === null ? nothing : html`<p class="hint">A film has the left half only.</p>`}
             ${filmSize.render(figure.shownSize)}
             ${selectRow('film-fps', 'Frames per second', rates, fps.value, (rate) => (fps.value = rate))}
             ${numberRow('Length in seconds', {

@@ -19,7 +19,7 @@ const places = signal<ReadonlyMap<string, SlicePlace>>(new Map());
 beforeEach(async () => {
     bench = new PageBench();
     removed = [];
-    places.value = new Map([['c1', { origin: [0, 0, 2], normal: [0, 0, 1], field: 'p' }]]);
+    places.value = new Map([['c1', { origin: [0, 0, 2], normal: [0, 0, 1], field: 'p', minus: null }]]);
     const { state, view, edits } = bench;
     const body = { setOpacity: (opacity: number) => void (bodyOpacity = opacity) };
     const scene = { body, loop: { request: () => undefined } };

@@ -108,8 +108,15 @@ function isosurfaces(model: PictureListModel): PicturedThing[] {
 
 function slices({ view, slices: loaded }: PictureListModel): PicturedThing[] {
     const held = loaded.value?.slices;
-    return [...(held?.places.value ?? [])].map(([id, { field, origin, normal }]) => ({
-        ...{ id, kind: 'slice', name: planeWords(origin, normal), about: isolated(field), title: 'slice', colour: null },
+    return [...(held?.places.value ?? [])].map(([id, { field, origin, normal, minus }]) => ({
+        ...{
+            id,
+            kind: 'slice',
+            name: planeWords(origin, normal),
+            about: minus === null ? isolated(field) : `${isolated(field)}, difference`,
+            title: 'slice',
+            colour: null,
+        },
         ...lookedAt(view, id),
         remove: () => void held?.remove(id),
     }));

@@ -3,14 +3,15 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
 import { fieldNumber, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
 import { levelFields } from '../../session/edits/defaults.ts';
-import { dot, plus, times, unit } from '../../scene/rake/rakeShape.ts';
+import { dot, plus, times, unit as unitOf } from '../../scene/rake/rakeShape.ts';
 import { spanWithin } from '../../scene/slices/sliceHandles.ts';
 import { type SlicePlace, Slices } from '../../session/picture/slicesInPicture.ts';
-import { withUnit } from '../../session/picture/writtenNumbers.ts';
-import type { AppState } from '../../state/appState.ts';
+import { timeField, withUnit } from '../../session/picture/writtenNumbers.ts';
+import type { AppState, Units } from '../../state/appState.ts';
 import { mostContours } from '../../state/sliceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
+import { otherTimeRow } from '../base/otherTimeRow.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 
@@ -18,9 +19,11 @@ import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 export { Slices };
 
 export interface SlicesModel {
-    state: Pick<AppState, 'dataset' | 'locked' | 'rakePoints' | 'slices'>;
-    view: Pick<ViewState, 'chosenThing' | 'clip' | 'slices' | 'tool'>;
+    state: Pick<AppState, 'dataset' | 'datasets' | 'locked' | 'rakePoints' | 'slices' | 'surfaces'>;
+    view: Pick<ViewState, 'chosenThing' | 'clip' | 'slices' | 'tool' | 'units'>;
     slices: Slices;
+    /** Returns the time of the picture. */
+    time: () => number;
 }
 
 type Bounds = readonly [number, number, number, number, number, number];
@@ -109,11 +112,12 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
             value: name,
             words: fieldWords(name, dataset),
         }));
-        const along = unit(normal);
+        const along = unitOf(normal);
         const [low, high] = spanWithin(bounds, along);
         const at = dot(origin, along);
         const resolution = resolutionOf(low, high);
         const fault = slices.faults.value.get(id);
+        const numbers = slices.numbers.value.get(id);
         return html`
             ${fault === undefined ? nothing : html`<p role="status" id="slice-fault">${fault}</p>`}
             ${
@@ -126,6 +130,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                           ...{ low, high, step: (high - low) / steps },
                           change: (value) => slices.change(id, { origin: plus(origin, times(along, value - at)) }),
                       })}
+                      ${this.subtracting(id, place)}
                       <div class="triple" role="group" aria-label="Origin">
                           <span>Origin</span>
                           ${vectorFields(
@@ -157,6 +162,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
             })}
             ${checkRow('Arrows of the flow in the plane', look.arrows, (arrows) => (view.slices.value = { ...look, arrows }), { id: 'slice-arrows' })}
             ${this.cutting(id)}
+            ${numbers === undefined ? nothing : html`<p class="quiet" id="slice-numbers">${numberWords(numbers, place, dataset, view.units.value)}</p>`}
             ${look.arrows && longest !== undefined ? html`<p class="quiet">${arrowWords(longest, dataset)}</p>` : nothing}
         `;
     }
@@ -181,6 +187,37 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
         </div>`;
     }
 
+    /** What is subtracted: of its own data at first what was a time-step before. */
+    private subtracting(id: string, { minus }: SlicePlace): TemplateResult {
+        const { state, slices, time } = this.model;
+        const { dataset, name, times } = state.dataset.value!;
+        const step = (times[1] ?? 1) - (times[0] ?? 0);
+        const others = state.datasets.value.filter((each) => each.dataset !== dataset);
+        const choices = [
+            { value: '', words: 'nothing' },
+            { value: dataset, words: `${name} at another time`, disabled: times.length < 2 },
+            ...others.map((each) => ({ value: each.dataset, words: each.name })),
+        ];
+        const change = (next: SlicePlace['minus']): void => slices.change(id, { minus: next });
+        const choose = (chosen: string): void => {
+            if (chosen === '') change(null);
+            else if (chosen === dataset) change({ dataset: null, time: { kind: 'offset', by: -step } });
+            else change({ dataset: chosen, time: minus === null || minus.dataset === null ? { kind: 'same' } : minus.time });
+        };
+        const of = minus === null ? '' : (minus.dataset ?? dataset);
+        return html`${selectRow('slice-minus', 'Minus', choices, of, choose)}
+        ${
+            minus === null
+                ? nothing
+                : otherTimeRow({
+                      ...{ id: 'slice-minus-time', words: 'Its time', chosen: minus.time },
+                      first: { by: -step, time: time() },
+                      written: (number) => timeField(state, number),
+                      change: (chosen) => change({ ...minus, time: chosen }),
+                  })
+        }`;
+    }
+
     private addAcross(rake: readonly Vec3[]): Promise<void> {
         const [a, b] = [rake[0]!, rake.at(-1)!];
         const middle = a.map((each, k) => (each + b[k]!) / 2) as unknown as Vec3;
@@ -191,6 +228,26 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
 
 function middleOf(bounds: Bounds): Vec3 {
     return [0, 1, 2].map((k) => (bounds[2 * k]! + bounds[2 * k + 1]!) / 2) as unknown as Vec3;
+}
+
+/** Where the field is the velocity across the plane, also what flows through it. */
+function numberWords(
+    { area, mean }: { area: number; mean: number },
+    { normal, field, minus }: SlicePlace,
+    { fields, velocity }: DatasetDescription,
+    { length, time }: Units,
+): string {
+    const short = (value: number): string => shortNumber(Number(value.toPrecision(3)));
+    const power = (unit: string, of: string): string => (unit === '' ? '' : unit + of);
+    const stored = field.startsWith('velocity_') ? velocity : field;
+    const unit = fields.find(({ name }) => name === stored)?.unit ?? '';
+    const said = `Mean ${withUnit(short(mean), unit)} over ${withUnit(short(area), power(length, '²'))}.`;
+    const axis = axes.findIndex(
+        ([name, along]) => field === `velocity_${name}` && Math.abs(dot(unitOf(normal), along)) > 1 - 1e-12,
+    );
+    if (axis < 0 || minus !== null) return said;
+    const rate = length === '' || time === '' ? '' : `${length}³/${time}`;
+    return `${said} ${withUnit(short(mean * area), rate)} flow through it in the direction of ${axes[axis]![0]}.`;
 }
 
 function arrowWords(longest: number, { fields, velocity }: DatasetDescription): string {

@@ -1,5 +1,6 @@
 // Buttons over the picture: which way the axes point, and views of the whole domain for when the camera has lost its way, each end of an
 // axis being a button that looks from there; and what a click on the picture does, which without a tool only turns the view.
+import type { ReadonlySignal } from '@preact/signals-core';
 import { css, html, nothing, svg, type SVGTemplateResult, type TemplateResult } from 'lit';
 import { Vector3 } from 'three';
 import type { View } from '../../scene/base/view.ts';
@@ -205,6 +206,7 @@ const tools: readonly { tool: Tool; label: string; words: string; edits: boolean
 export interface ToolsModel {
     state: Pick<AppState, 'role'>;
     view: Pick<ViewState, 'plot' | 'tool'>;
+    comparison: { right: ReadonlySignal<object | null>; whyNot: ReadonlySignal<string>; toggle: () => Promise<void> };
 }
 
 /** What a click on the picture does, and the plot below it. */
@@ -231,7 +233,7 @@ export class ToolButtons extends ModelElement<ToolsModel> {
     `;
 
     override render(): TemplateResult {
-        const { view, state } = this.model;
+        const { view, state, comparison } = this.model;
         const viewer = state.role.value === 'viewer';
         return html`<div role="group" aria-label="Tools">
             ${tools.map(({ tool, label, words, edits }) => {
@@ -254,6 +256,16 @@ export class ToolButtons extends ModelElement<ToolsModel> {
                 @click=${() => (view.plot.value = view.plot.value === null ? 'rake' : null)}
             >
                 Plot
+            </button>
+            <button
+                type="button"
+                id="compare"
+                title=${comparison.whyNot.value || 'Another dataset, another time or other settings beside this picture'}
+                aria-pressed=${comparison.right.value === null ? 'false' : 'true'}
+                ?disabled=${comparison.whyNot.value !== '' && comparison.right.value === null}
+                @click=${() => void comparison.toggle()}
+            >
+                Side by side
             </button>
         </div>`;
     }

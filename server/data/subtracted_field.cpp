@@ -1,0 +1,60 @@
+#include "server/data/subtracted_field.hpp"
+
+#include <algorithm>
+
+namespace wakesurf::server {
+
+using core::Error;
+using core::fail;
+
+namespace {
+
+/// Empty: unknown.
+std::string unit_of(const std::string& field, const core::DatasetInfo& info) {
+    const auto found =
+        std::find_if(info.fields.begin(), info.fields.end(),
+                     [&](const core::FieldInfo& each) { return each.name == field; });
+    return found == info.fields.end() ? "" : found->unit;
+}
+
+bool differ(const std::string& a, const std::string& b) {
+    return !a.empty() && !b.empty() && a != b;
+}
+
+bool share_a_place(const core::Box& a, const core::Box& b) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (a.lo[axis] > b.hi[axis] || b.lo[axis] > a.hi[axis])
+            return false;
+    return true;
+}
+
+} // namespace
+
+core::Result<NodeField> subtracted_field(const std::string& name,
+                                         const core::DatasetInfo& from,
+                                         const core::DatasetInfo& other,
+                                         const store::StoreScalars* scalars_of_other) {
+    const std::string there = name == from.velocity ? other.velocity : name;
+    auto field = find_node_field(there, other, scalars_of_other);
+    if (!field) {
+        field.error().message = "in " + other.name + ", " + field.error().message;
+        return field;
+    }
+    const auto other_units = [&](const std::string& what, const std::string& a,
+                                 const std::string& b) {
+        return fail(Error::Code::InvalidArgument,
+                    what + " in " + a + " in " + from.name + " and in " + b + " in " + other.name,
+                    "only values in the same unit can be subtracted: convert one of the datasets");
+    };
+    if (const auto a = unit_of(name, from), b = unit_of(there, other); differ(a, b))
+        return other_units(name + " is", a, b);
+    if (differ(from.length_unit, other.length_unit))
+        return other_units("lengths are", from.length_unit, other.length_unit);
+    if (!share_a_place(from.bounds, other.bounds))
+        return fail(Error::Code::OutOfDomain,
+                    from.name + " and " + other.name + " have no place in common",
+                    "only values at the same places can be subtracted");
+    return field;
+}
+
+} // namespace wakesurf::server

@@ -1,0 +1,52 @@
+// Which fields may be subtracted from each other.
+#include "server/data/subtracted_field.hpp"
+
+#include <gtest/gtest.h>
+
+namespace wakesurf::server::subtracted_field_test {
+
+namespace {
+
+core::DatasetInfo
+data(const std::string& name, const std::string& velocity, const std::string& unit) {
+    core::DatasetInfo info;
+    info.name = name;
+    info.velocity = velocity;
+    info.length_unit = "m";
+    info.bounds = {core::Vec3(0.0), core::Vec3(1.0)};
+    core::FieldInfo field;
+    field.name = velocity;
+    field.components = 3;
+    field.unit = unit;
+    info.fields = {field};
+    return info;
+}
+
+std::string
+refusal(const std::string& field, const core::DatasetInfo& from, const core::DatasetInfo& other) {
+    const auto found = subtracted_field(field, from, other, nullptr);
+    return found ? "" : found.error().message;
+}
+
+} // namespace
+
+TEST(SubtractedField, IsTheVelocityOfTheOtherDataWhateverItIsCalled) {
+    const auto found =
+        subtracted_field("U", data("a", "U", "m/s"), data("b", "velocity", ""), nullptr);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->source, NodeField::Source::Speed);
+}
+
+TEST(SubtractedField, IsRefusedWhereItIsNotThereOrMeansSomethingElse) {
+    const core::DatasetInfo a = data("a", "U", "m/s");
+    EXPECT_NE(refusal("p", a, data("b", "U", "m/s")).find("in b, "), std::string::npos);
+    EXPECT_EQ(refusal("U", a, data("b", "U", "km/h")), "U is in m/s in a and in km/h in b");
+    core::DatasetInfo small = data("b", "U", "m/s");
+    small.length_unit = "mm";
+    EXPECT_EQ(refusal("U", a, small), "lengths are in m in a and in mm in b");
+    core::DatasetInfo beside = data("b", "U", "m/s");
+    beside.bounds = {core::Vec3(2.0), core::Vec3(3.0)};
+    EXPECT_EQ(refusal("U", a, beside), "a and b have no place in common");
+}
+
+} // namespace wakesurf::server::subtracted_field_test
