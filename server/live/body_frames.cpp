@@ -63,10 +63,11 @@ core::Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
 core::Result<std::string> body_frames(const LoadedDataset& dataset,
                                       std::optional<double> time,
                                       const std::string& field,
+                                      PatchChoice::Of patches,
                                       const core::MemoryAccount& account,
                                       core::MemoryAccount::Share& share,
                                       const std::stop_token& stop) {
-    auto obstacle = obstacle_of(dataset);
+    auto obstacle = obstacle_of(dataset, {patches});
     if (!obstacle)
         return tl::unexpected(obstacle.error());
     core::QuadComplex& mesh = obstacle->mesh;
@@ -107,7 +108,7 @@ core::Result<AnimatedBody> animated_body(const LoadedDataset& dataset,
                                          const core::MemoryAccount& account,
                                          core::MemoryAccount::Share& share,
                                          const std::stop_token& stop) {
-    auto frames = body_frames(dataset, {}, "", account, share, stop);
+    auto frames = body_frames(dataset, {}, "", PatchChoice::Of::Body, account, share, stop);
     if (!frames && frames.error().code == core::Error::Code::NotFound)
         return AnimatedBody{};
     if (!frames)

@@ -46,6 +46,7 @@ core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
 struct ObstacleRequest {
     std::optional<double> time; ///< of the velocity along it; empty: its shape alone
     std::string field{};        ///< also along it, at that time; empty: none
+    bool all_patches = false;   ///< with those that are no part of the body
 };
 
 /// Error: InvalidArgument, also for a field without a time.

@@ -202,11 +202,13 @@ void Downloads::obstacle(const HttpRequest& request,
         if (const auto known = check_fields(**dataset, {asked->field}, "field"); !known)
             return respond(http_error(known.error()));
     const std::string when = time ? fmt::format(" at {} {}", *time, asked->field) : "";
+    const auto patches = asked->all_patches ? PatchChoice::Of::All : PatchChoice::Of::Body;
     files_.get(
-        "obstacle " + id + " " + values_of(**dataset) + when, turns_of("", identity),
-        [loaded = *dataset, time, field = asked->field,
+        "obstacle " + id + " " + values_of(**dataset) + (asked->all_patches ? " all" : "") + when,
+        turns_of("", identity),
+        [loaded = *dataset, time, field = asked->field, patches,
          &account = account_](const std::stop_token& stop, core::MemoryAccount::Share& share) {
-            return body_frames(*loaded, time, field, account, share, stop);
+            return body_frames(*loaded, time, field, patches, account, share, stop);
         },
         request.gone,
         [this, respond, request, identity, id, data = *dataset](const core::Result<File>& file) {

@@ -136,7 +136,7 @@ function start(app: App): void {
         picture: (size) => scene.copySmall(size),
         busy: () => scene.interaction.dragging || document.visibilityState !== 'visible',
     });
-    const dataset = new OpenDataset({ state, scene, worker, imports });
+    const dataset = new OpenDataset({ state, view, scene, worker, imports });
     const suggestions = new Suggestions(state, worker);
     const controller = new SessionController({
         state,

@@ -4,6 +4,7 @@ import { computed, effect, signal } from '@preact/signals-core';
 import type { BodyValues } from '../../mesh/meshChange.ts';
 import { niceStep } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
+import { showsBeyondBody } from '../../state/bodyPatches.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -32,6 +33,7 @@ interface Wish {
     time: number;
     /** As the server knows it; empty: the flow alone. */
     field: string;
+    allPatches: boolean;
 }
 
 /** What a field's values on the body lie between. */
@@ -118,13 +120,22 @@ export class BodyFields {
         const { state, view } = this.options;
         const dataset = state.dataset.value;
         const field = this.field.value;
-        if ((!view.body.value.texture && field === '') || dataset?.obstacle !== true) return null;
+        if ((!view.body.value.texture && field === '') || dataset === null) return null;
+        const allPatches = showsBeyondBody(dataset, view.body.value);
+        if (!dataset.obstacle && !allPatches) return null;
         const times = state.times.value;
         const [first, last] = [times[0] ?? 0, times.at(-1) ?? 0];
         // A flow that stands still is the same at all times.
         const time = dataset.steady ? first : Math.min(last, Math.max(first, this.time()));
-        const key = JSON.stringify([dataset.dataset, state.datasetEntry.value?.values, time, field, view.body.value.texture]);
-        return { key, time, field };
+        const key = JSON.stringify([
+            dataset.dataset,
+            state.datasetEntry.value?.values,
+            time,
+            field,
+            allPatches,
+            view.body.value.texture,
+        ]);
+        return { key, time, field, allPatches };
     });
 
     private time(): number {
@@ -147,10 +158,12 @@ export class BodyFields {
         for (let wish = this.next(); wish !== null; wish = this.next()) {
             const { dataset, lattice } = state.dataset.value!;
             let failure: unknown = null;
-            const values = await worker.bodyValues(dataset, lattice, wish.time, wish.field).catch((error: unknown) => {
-                failure = error ?? new Error('The values along the body could not be loaded.');
-                return null;
-            });
+            const values = await worker
+                .bodyValues(dataset, lattice, wish.time, wish.field, wish.allPatches)
+                .catch((error: unknown) => {
+                    failure = error ?? new Error('The values along the body could not be loaded.');
+                    return null;
+                });
             // Switched off, or another dataset, meanwhile.
             if (this.wish.value === null || state.dataset.value?.dataset !== dataset) continue;
             if (failure === null) {
