@@ -17,6 +17,8 @@
 #include "server/live/surface_file.hpp"
 #include "server/net/asked_surface.hpp"
 #include "server/net/download_request.hpp"
+#include "server/net/lines_downloads.hpp"
+#include "server/net/slice_downloads.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -145,7 +147,7 @@ Downloads::Downloads(Loop& loop,
     : sessions_(sessions), catalogue_(catalogue), account_(account), files_(loop, pool, &account_),
       numbers_(sessions_, catalogue_, account_, files_),
       animations_(sessions_, catalogue_, account_, files_, std::move(viewer)),
-      slices_(loop, pool, catalogue_, account_), lines_(loop, pool, catalogue_, account_) {}
+      fields_(loop, pool, catalogue_, account_) {}
 
 bool Downloads::handle(const HttpRequest& request,
                        const Identity& identity,
@@ -157,10 +159,10 @@ bool Downloads::handle(const HttpRequest& request,
         obstacle(request, identity, part(4), respond);
     else if (parts.size() == 6 && request.path.starts_with("/api/v1/datasets/") &&
              parts[5] == slice_file_name)
-        slices_.get(request, turns_of("slice", identity), part(4), respond);
+        fields_.get(request, turns_of("slice", identity), part(4), plan_slice, respond);
     else if (parts.size() == 6 && request.path.starts_with("/api/v1/datasets/") &&
              parts[5] == lines_file_name)
-        lines_.get(request, turns_of("lines", identity), part(4), respond);
+        fields_.get(request, turns_of("lines", identity), part(4), plan_lines, respond);
     else if (parts.size() == 8 && request.path.starts_with("/api/v1/sessions/") &&
              parts[5] == "surfaces" && parts[7] == numbers_file)
         numbers_.get(request, identity, part(4), part(6), respond);

@@ -5,11 +5,10 @@
 #include "server/base/identity.hpp"
 #include "server/data/dataset_catalogue.hpp"
 #include "server/net/animation_downloads.hpp"
+#include "server/net/field_downloads.hpp"
 #include "server/net/http_message.hpp"
-#include "server/net/lines_downloads.hpp"
 #include "server/net/number_downloads.hpp"
 #include "server/net/shared_files.hpp"
-#include "server/net/slice_downloads.hpp"
 #include "server/sessions/session_directory.hpp"
 
 #include <string>
@@ -59,8 +58,7 @@ class Downloads {
     SharedFiles files_;
     NumberDownloads numbers_;
     AnimationDownloads animations_;
-    SliceDownloads slices_;
-    LinesDownloads lines_;
+    FieldDownloads fields_;
 };
 
 } // namespace wakesurf::server

@@ -6,7 +6,6 @@
 #include "server/data/dataset_lines.hpp"
 #include "server/data/line_seeds_text.hpp"
 #include "server/net/download_request.hpp"
-#include "server/net/field_request.hpp"
 
 #include <fmt/format.h>
 
@@ -119,55 +118,26 @@ core::Result<LinesQuery> read_lines_query(const std::map<std::string, std::strin
     return out;
 }
 
-core::Result<void> LinesDownloads::offer(const HttpRequest& request,
-                                         const std::string& line,
-                                         const std::string& id,
-                                         const Respond& respond) {
-    const auto query = url_query(request.query).and_then(read_lines_query);
-    if (!query)
-        return tl::unexpected(query.error());
-    const auto dataset = catalogue_.find(id);
-    if (!dataset)
-        return tl::unexpected(dataset.error());
-    const LoadedDataset& data = **dataset;
-    const auto time = time_of(query->time, data);
-    if (!time)
-        return tl::unexpected(time.error());
-    const auto field = field_of(query->field, data);
-    if (!field)
-        return tl::unexpected(field.error());
-    const LinesWork work{query->seeds,
-                         {query->direction, sampled(*field, data.scalars.get()), *time,
-                          query->duration, query->length, limits::line_points},
-                         *dataset,
-                         &account_};
-    const std::string tag = fmt::format(
-        "lines {} {} {} {} {} {} {} {} {} {}", id, values_of(data),
-        data.scalars ? data.scalars->mark() : "", line_seeds_text(query->seeds), query->seeds.seeds,
-        static_cast<int>(query->direction), query->duration, query->length, field->name, *time);
-    files_.get(
-        tag, line,
-        [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {
+core::Result<FieldFile> plan_lines(const std::map<std::string, std::string>& query,
+                                   const FieldSource& source) {
+    const auto wanted = read_lines_query(query);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto values = field_at(wanted->field, wanted->time, source);
+    if (!values)
+        return tl::unexpected(values.error());
+    const LinesWork work{wanted->seeds,
+                         {wanted->direction, values->field, values->time, wanted->duration,
+                          wanted->length, limits::line_points},
+                         values->dataset,
+                         &source.account};
+    return FieldFile{
+        fmt::format("lines {} {} {} {} {} {}", values->tag, line_seeds_text(wanted->seeds),
+                    wanted->seeds.seeds, static_cast<int>(wanted->direction), wanted->duration,
+                    wanted->length),
+        work.priority(), [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {
             return work.make(stop, share);
-        },
-        request.gone,
-        [respond](const core::Result<File>& file) {
-            if (!file)
-                return respond(http_error(file.error()));
-            respond({200,
-                     {{"Content-Type", "application/octet-stream"}, {"Cache-Control", "no-cache"}},
-                     *file});
-        },
-        work.priority());
-    return {};
-}
-
-void LinesDownloads::get(const HttpRequest& request,
-                         const std::string& line,
-                         const std::string& dataset,
-                         const Respond& respond) {
-    if (const auto offered = offer(request, line, dataset, respond); !offered)
-        respond(http_error(offered.error()));
+        }};
 }
 
 } // namespace wakesurf::server

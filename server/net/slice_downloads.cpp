@@ -4,11 +4,9 @@
 #include "core/surface/slice/slice_raster.hpp"
 #include "protocol/wire/slice_file.hpp"
 #include "server/base/limits.hpp"
-#include "server/data/node_fields.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/region_text.hpp"
 #include "server/net/download_request.hpp"
-#include "server/net/field_request.hpp"
 
 #include <fmt/format.h>
 
@@ -108,54 +106,23 @@ core::Result<SliceQuery> read_slice_query(const std::map<std::string, std::strin
     return out;
 }
 
-core::Result<void> SliceDownloads::offer(const HttpRequest& request,
-                                         const std::string& line,
-                                         const std::string& id,
-                                         const Respond& respond) {
-    const auto query = url_query(request.query).and_then(read_slice_query);
-    if (!query)
-        return tl::unexpected(query.error());
-    const auto dataset = catalogue_.find(id);
-    if (!dataset)
-        return tl::unexpected(dataset.error());
-    const LoadedDataset& data = **dataset;
-    const auto time = time_of(query->time, data);
-    if (!time)
-        return tl::unexpected(time.error());
-    const auto field = field_of(query->field, data);
-    if (!field)
-        return tl::unexpected(field.error());
-    const SliceWork work{{query->plane, sampled(*field, data.scalars.get()), *time, query->samples},
-                         *dataset,
-                         &account_};
-    const core::Plane& plane = query->plane;
-    const std::string tag = fmt::format(
-        "slice {} {} {} {},{},{} {},{},{} {} {} {}", id, values_of(data),
-        data.scalars ? data.scalars->mark() : "", plane.point.x, plane.point.y, plane.point.z,
-        plane.normal.x, plane.normal.y, plane.normal.z, field->name, *time, query->samples);
-    files_.get(
-        tag, line,
-        [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {
+core::Result<FieldFile> plan_slice(const std::map<std::string, std::string>& query,
+                                   const FieldSource& source) {
+    const auto wanted = read_slice_query(query);
+    if (!wanted)
+        return tl::unexpected(wanted.error());
+    const auto values = field_at(wanted->field, wanted->time, source);
+    if (!values)
+        return tl::unexpected(values.error());
+    const core::Plane& plane = wanted->plane;
+    const SliceWork work{
+        {plane, values->field, values->time, wanted->samples}, values->dataset, &source.account};
+    return FieldFile{
+        fmt::format("slice {} {},{},{} {},{},{} {}", values->tag, plane.point.x, plane.point.y,
+                    plane.point.z, plane.normal.x, plane.normal.y, plane.normal.z, wanted->samples),
+        work.priority(), [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {
             return work.make(stop, share);
-        },
-        request.gone,
-        [respond](const core::Result<File>& file) {
-            if (!file)
-                return respond(http_error(file.error()));
-            respond({200,
-                     {{"Content-Type", "application/octet-stream"}, {"Cache-Control", "no-cache"}},
-                     *file});
-        },
-        work.priority());
-    return {};
-}
-
-void SliceDownloads::get(const HttpRequest& request,
-                         const std::string& line,
-                         const std::string& dataset,
-                         const Respond& respond) {
-    if (const auto offered = offer(request, line, dataset, respond); !offered)
-        respond(http_error(offered.error()));
+        }};
 }
 
 } // namespace wakesurf::server
