@@ -2,9 +2,12 @@
 
 #include "core/surface/obstacle_surface.hpp"
 #include "core/surface/wall_caps.hpp"
+#include "server/data/surface_scalars.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace wakesurf::server {
@@ -103,6 +106,39 @@ Result<Obstacle> obstacle_of(const LoadedDataset& dataset, const PatchChoice& ch
     if (choice.of != Of::Named)
         close_body(*walls, *dataset.flow);
     return Obstacle{core::wall_surface(*walls), count, walls->patches};
+}
+
+Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
+                                         const Obstacle& obstacle,
+                                         double time,
+                                         const std::string& field,
+                                         const std::stop_token& stop) {
+    const bool masked = dataset.store != nullptr && !dataset.store->mask().empty();
+    auto places = core::places_off_wall(obstacle.mesh, *dataset.flow,
+                                        masked ? core::mask_distances : core::wall_distances, stop);
+    if (!places)
+        return tl::unexpected(places.error());
+    core::QuadComplex beside;
+    beside.position = *std::move(places);
+    beside.velocity = obstacle.mesh.velocity;
+    const std::vector<double> times(beside.position.size(), time);
+    auto scalars = surface_scalars(dataset, beside, times, {field}, stop);
+    if (!scalars)
+        return tl::unexpected(scalars.error());
+    std::vector<float> values;
+    if (const auto found = scalars->find(field); found != scalars->end())
+        values = std::move(found->second);
+    else if (field == dataset.info.velocity) // its magnitude
+        for (core::VertexId v = 0; v < beside.vertices(); ++v)
+            values.push_back(static_cast<float>(beside.speed(v)));
+    else
+        return core::fail(Error::Code::NotFound,
+                          "`" + field + "` is a field of surfaces, not of obstacles",
+                          "choose a stored field, the velocity, vorticity or q_criterion");
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (i >= obstacle.walls || std::isnan(beside.position[i].x))
+            values[i] = std::numeric_limits<float>::quiet_NaN();
+    return values;
 }
 
 } // namespace wakesurf::server

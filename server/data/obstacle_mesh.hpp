@@ -7,6 +7,7 @@
 #include "server/data/open_dataset.hpp"
 
 #include <cstddef>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -33,5 +34,13 @@ struct PatchChoice {
 /// Returns that of the solid nodes, or the walls of the store or of a built-in flow. Error: NotFound without an obstacle, and for
 /// names that no patch has; what reading reports.
 core::Result<Obstacle> obstacle_of(const LoadedDataset& dataset, const PatchChoice& choice = {});
+
+/// Returns a field beside an obstacle's vertices, not a number where there is none. Error: NotFound for fields of surfaces alone, and
+/// as sampling.
+core::Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
+                                               const Obstacle& obstacle,
+                                               double time,
+                                               const std::string& field,
+                                               const std::stop_token& stop);
 
 } // namespace wakesurf::server

@@ -21,7 +21,7 @@ namespace wakesurf::server {
 core::Result<std::string> body_frames(const LoadedDataset& dataset,
                                       std::optional<double> time,
                                       const std::string& field,
-                                      PatchChoice::Of patches,
+                                      const PatchChoice& patches,
                                       const core::MemoryAccount& account,
                                       core::MemoryAccount::Share& share,
                                       const std::stop_token& stop);

@@ -155,7 +155,7 @@ function start(app: App): void {
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
     const bodyFields = new BodyFields({
-        ...{ state, view, scene, worker },
+        ...{ state, view, scene, worker, server },
         time: () => playback.time.value,
         moves: () => playback.mode.value === 'clock',
     });

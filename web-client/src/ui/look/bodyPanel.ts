@@ -9,6 +9,7 @@ import { toggled } from '../../state/pageView.ts';
 import { type BodyLook } from '../../state/bodyLook.ts';
 import { colourMaps } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { fileName, saveFile } from '../base/copyAndSave.ts';
 import { checkRow, type Choice, pairRow, selectRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { mapNames } from './colourNames.ts';
@@ -17,7 +18,7 @@ import { lookStyles } from './lookStyles.ts';
 export interface BodyModel {
     state: Pick<AppState, 'dataset'>;
     view: Pick<ViewState, 'body'>;
-    bodyFields: Pick<BodyFields, 'span' | 'status'>;
+    bodyFields: Pick<BodyFields, 'file' | 'span' | 'status'>;
 }
 
 const kindWords: Record<Patch['kind'], string> = { wall: '', side: ' (in a side)', other: ' (no wall)' };
@@ -51,6 +52,9 @@ export class BodyPanel extends ModelElement<BodyModel> {
             ${body.colourBy === 'constant' ? nothing : this.colours(body, span?.colours ?? [0, 1])}
             ${checkRow('Show the flow along the body', body.texture, (texture) => this.change({ texture }), { id: 'body-texture' })}
             ${this.said(body)} ${this.patches(dataset?.patches ?? [])}
+            <div class="buttons">
+                <button type="button" id="body-save" title="for ParaView, with the values shown" @click=${() => void this.save()}>Save as .vtp</button>
+            </div>
         `;
     }
 
@@ -63,7 +67,8 @@ export class BodyPanel extends ModelElement<BodyModel> {
             const change = (): void => this.change({ patches: [...toggled(new Set(body.patches), id)] });
             return checkRow(words, showsPatch(body, patch), change, { title: `${patch.triangles} triangles` });
         });
-        return html`<div class="patches" role="group" aria-label="Patches">${rows}</div>`;
+        return html`<h3>Patches</h3>
+            <div class="patches" role="group" aria-label="Patches">${rows}</div>`;
     }
 
     private choices(): Choice<string>[] {
@@ -99,6 +104,12 @@ export class BodyPanel extends ModelElement<BodyModel> {
             failed: 'The server did not send the values along the body at this time.',
         }[status.value];
         return words === '' ? nothing : html`<p class="quiet" role="status">${words}</p>`;
+    }
+
+    private async save(): Promise<void> {
+        const { bodyFields, state } = this.model;
+        const file = await bodyFields.file();
+        if (file !== null) saveFile(file, fileName(state.dataset.value?.name, 'body.vtp'));
     }
 
     private colourBy(colourBy: string): void {
