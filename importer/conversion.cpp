@@ -233,6 +233,7 @@ class Conversion {
         manifest_.layout.brick_cells = before.layout.brick_cells;
         manifest_.layout.mask = before.layout.mask;
         manifest_.layout.walls = before.layout.walls;
+        manifest_.layout.patches = manifest_.info.patches = before.info.patches;
         manifest_.info.obstacle = before.info.obstacle;
         if (before.complete) {
             manifest_.velocity_range = before.velocity_range;

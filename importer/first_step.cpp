@@ -186,7 +186,7 @@ read_first_step(const ImportPlan& plan, bool with_last, bool with_all) {
     if (with_last)
         if (auto found = find_faces_at_rest(plan, reading); !found)
             return tl::unexpected(found.error());
-    reading.walls = wall_geometry(first.assembly, reading.step);
+    reading.walls = wall_geometry(first.assembly, reading.step, walls);
     return reading;
 }
 

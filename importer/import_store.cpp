@@ -88,7 +88,9 @@ core::Result<store::StoreManifest> describe_store(const ImportPlan& plan,
     info.why = plan.choice.why;
     info.precision = plan.precision;
     info.periodic = layout.grid.periodic;
-    info.obstacle = layout.mask || layout.walls;
+    layout.patches = info.patches = reading.walls.patches;
+    info.obstacle = layout.mask ||
+                    core::body_triangles(reading.walls.patches, reading.walls.triangles.size()) > 0;
     info.bytes_per_step = store::step_file_size(info.points, 3, core::Precision::Single);
     add_note(info.note, plan.time_note);
     add_note(info.note, plan.end_note);

@@ -62,6 +62,8 @@ struct StoreLayout {
     bool may_have_gaps = false; ///< of bricks without checksums: some values may not be finite
     bool mask = false;          ///< mask.u8 is there
     bool walls = false;         ///< walls.f32 and walls.u32 are there
+    /// Have the triangles of walls.u32, one patch after the other; empty: all are the body's.
+    std::vector<core::BoundaryPatch> patches{};
     /// The CRC-32C of the files that all time-steps share.
     std::map<std::string, std::uint32_t> checksums;
 

@@ -170,6 +170,8 @@ void make_plain(core::DatasetInfo& info, StoreLayout& layout) {
         field.name = core::printable_line(field.name);
         field.unit = core::display_name(field.unit, protocol::limits::unit_bytes);
     }
+    for (core::BoundaryPatch& patch : info.patches)
+        patch.name = core::display_name(patch.name, longest_name);
     std::erase_if(info.fields, [&](const core::FieldInfo& field) { // a name cut short names another
         return field.name.size() > longest_name && field.name != info.velocity;
     });
@@ -222,6 +224,7 @@ core::Result<StoreManifest> parse(const json& value) {
         in.check("bricks", "must be there in version 3, and only there");
     if (auto sound = in.verdict(); !sound)
         return tl::unexpected(sound.error());
+    manifest.layout.patches = manifest.info.patches;
     return check_agreement(manifest).map([&] {
         mark_stored(manifest.layout, manifest.info);
         return std::move(manifest);

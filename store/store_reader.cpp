@@ -375,6 +375,14 @@ Result<WallGeometry> StoreReader::load_walls() const {
             if (point >= walls.points.size())
                 return fail(Error::Code::Corrupt, "walls.u32 names points that do not exist",
                             again);
+    std::uint64_t rest = walls.triangles.size();
+    for (const auto& patch : layout_.patches) {
+        if (patch.triangles > rest)
+            return fail(Error::Code::Corrupt, "walls.u32 has fewer triangles than its patches",
+                        again);
+        rest -= patch.triangles;
+    }
+    walls.patches = layout_.patches;
     return walls;
 }
 

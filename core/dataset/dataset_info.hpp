@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/periodic_axes.hpp"
+#include "core/dataset/wall_geometry.hpp"
 
 #include <array>
 #include <cstdint>
@@ -63,6 +64,8 @@ struct DatasetInfo {
     std::string note; ///< what a user should know: cells left out, rounding; may be empty
     Precision precision = Precision::Single; ///< of the values on the disk
     bool obstacle = false;                   ///< parts of the domain are solid
+    /// The parts of its boundary that the source names, in the order in which the walls are kept.
+    std::vector<BoundaryPatch> patches{};
     PeriodicAxes periodic{};          ///< where particles go on through the sides of `bounds`
     std::uint64_t bytes_per_step = 0; ///< memory of a time-step's velocity
 

@@ -1,6 +1,8 @@
 #include "importer/assembly/wall_assembly.hpp"
 
+#include "core/base/plain_text.hpp"
 #include "importer/assembly/mesh_assembly.hpp"
+#include "importer/base/text.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellType.h>
@@ -70,13 +72,43 @@ Polygon sorted_set(Polygon nodes) {
     return nodes;
 }
 
-// Returns the polygons of a reader's walls by place, and true for no slip. A polygon with a point that is no
-// boundary node is left out.
-std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls,
-                                    const NumberedPoints& numbered) {
-    std::map<Polygon, bool> polygons;
+// What a reader says of a polygon.
+struct Given {
+    bool wall = false;
+    bool no_slip = false;
+    std::uint32_t name = no_name;
+};
+
+// Numbers the names of patches. A stranger's file may have any, and as many as it likes.
+class PatchNames {
+  public:
+    std::uint32_t number(const std::string& name) {
+        constexpr std::size_t longest = 100;
+        std::string shown = core::display_name(name, longest);
+        if (shown.empty())
+            return no_name;
+        auto found = std::ranges::find(names, shown);
+        if (found == names.end() && names.size() + 1 >= most_patches) {
+            shown = "further patches";
+            found = std::ranges::find(names, shown);
+        }
+        const auto number = static_cast<std::uint32_t>(found - names.begin());
+        if (found == names.end())
+            names.push_back(std::move(shown));
+        return number;
+    }
+
+    std::vector<std::string> names;
+};
+
+// Returns the polygons of a reader's walls and patches by place. A polygon with a point that is no boundary node is left out.
+std::map<Polygon, Given> polygons_of(const std::vector<WallFaces>& walls,
+                                     const NumberedPoints& numbered,
+                                     PatchNames& names) {
+    std::map<Polygon, Given> polygons;
     const auto ids = vtkSmartPointer<vtkIdList>::New();
-    for (const auto& wall : walls)
+    for (const auto& wall : walls) {
+        const std::uint32_t name = names.number(wall.name);
         for (vtkIdType i = 0; wall.faces != nullptr && i < wall.faces->GetNumberOfCells(); ++i) {
             wall.faces->GetCellPoints(i, ids);
             Polygon polygon;
@@ -85,9 +117,13 @@ std::map<Polygon, bool> polygons_of(const std::vector<WallFaces>& walls,
                 wall.faces->GetPoint(ids->GetId(k), p);
                 polygon.push_back(numbered.at({p[0], p[1], p[2]}));
             }
-            bool& no_slip = polygons[sorted_set(std::move(polygon))];
-            no_slip = no_slip || wall.no_slip;
+            Given& given = polygons[sorted_set(std::move(polygon))];
+            if (given.name == no_name || (wall.wall && !given.wall))
+                given.name = name;
+            given.wall = given.wall || wall.wall;
+            given.no_slip = given.no_slip || wall.no_slip;
         }
+    }
     return polygons;
 }
 
@@ -166,8 +202,20 @@ void wall_off_holes(CellMesh& mesh, const std::vector<BoundaryFace>& boundary) {
 
 class Triangles {
   public:
+    using Kind = core::BoundaryPatch::Kind;
+    using Cylindrical = std::array<double, 3>; ///< along the axis, from it, and the angle
+
+    /// What is added from now on is of this patch.
+    void begin(const std::string& name, Kind kind) {
+        if (kind != Kind::Wall) // the body's points do not depend on what else is drawn
+            number_.clear();
+        out.patches.push_back({name, kind, 0});
+    }
+
     void add(const Vec3& a, const Vec3& b, const Vec3& c) {
         out.triangles.push_back({number(a), number(b), number(c)});
+        if (!out.patches.empty())
+            ++out.patches.back().triangles;
     }
 
     /// Draws the faces of a thin wedge all the way round: it is stretched to one of `sectors`, and repeated. The walls
@@ -176,13 +224,13 @@ class Triangles {
         constexpr std::size_t most = 4'000'000;
         const std::size_t sectors =
             std::clamp<std::size_t>(most / std::max<std::size_t>(out.triangles.size(), 1), 12, 72);
-        const double sector = 2.0 * std::numbers::pi / static_cast<double>(sectors);
         const Vec3 around = glm::cross(axis.direction, axis.radial);
         const auto points = std::move(out.points);
         const auto triangles = std::move(out.triangles);
+        auto patches = std::move(out.patches);
         out = {};
         number_.clear();
-        std::vector<std::array<double, 3>> at; // along the axis, from it, and the angle
+        std::vector<Cylindrical> at;
         double half = 0.0;
         for (const auto& p : points) {
             const Vec3 from = Vec3(p) - axis.origin;
@@ -194,6 +242,28 @@ class Triangles {
         }
         if (!(half > 0.0))
             return;
+        const bool named = !patches.empty();
+        if (!named)
+            patches.push_back({{}, Kind::Wall, triangles.size()});
+        std::span<const std::array<std::uint32_t, 3>> rest(triangles);
+        for (const auto& patch : patches) {
+            if (named)
+                begin(patch.name, patch.kind);
+            revolve(rest.first(patch.triangles), at, half, sectors, axis);
+            rest = rest.subspan(patch.triangles);
+        }
+    }
+
+    core::WallGeometry out;
+
+  private:
+    void revolve(std::span<const std::array<std::uint32_t, 3>> triangles,
+                 const std::vector<Cylindrical>& at,
+                 double half,
+                 std::size_t sectors,
+                 const core::SymmetryAxis& axis) {
+        const double sector = 2.0 * std::numbers::pi / static_cast<double>(sectors);
+        const Vec3 around = glm::cross(axis.direction, axis.radial);
         for (std::size_t k = 0; k < sectors; ++k)
             for (const auto& triangle : triangles) {
                 std::array<Vec3, 3> corner;
@@ -210,9 +280,6 @@ class Triangles {
             }
     }
 
-    core::WallGeometry out;
-
-  private:
     std::uint32_t number(const Vec3& p) {
         const auto [found, fresh] =
             number_.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(out.points.size()));
@@ -241,20 +308,60 @@ bool in_a_side(const core::Box& box, std::span<const Vec3> corners) {
     return false;
 }
 
-void add_wall_faces(const CellMesh& mesh, Triangles& triangles) {
+struct Corners {
+    std::array<Vec3, 4> at;
+    std::size_t count;
+
+    std::span<const Vec3> all() const { return std::span(at).first(count); }
+};
+
+Corners corners_of(const CellMesh& mesh, const BoundaryFace& at) {
+    const MeshCell& cell = mesh.cells[at.cell];
+    const core::CellFace face = core::face(cell.shape, at.face);
+    Corners corner{{}, face.count};
+    for (std::size_t i = 0; i < face.count; ++i)
+        corner.at[i] = mesh.points[cell.node[face.node[i]]];
+    return corner;
+}
+
+/// The faces of each patch, in the order in which they are kept: the body's first, and last of each kind those without a name.
+using FacesOfPatches =
+    std::map<std::pair<core::BoundaryPatch::Kind, std::uint32_t>, std::vector<BoundaryFace>>;
+
+FacesOfPatches faces_of_patches(const CellMesh& mesh, const Walls& walls) {
+    using Kind = core::BoundaryPatch::Kind;
     const core::Box box = box_of(mesh);
-    for (const auto& [number, f] : core::boundary_faces(mesh)) {
-        const MeshCell& cell = mesh.cells[number];
-        if (cell.beyond[f] != core::beyond_wall)
+    const auto boundary = core::boundary_faces(mesh);
+    FacesOfPatches patches;
+    for (std::size_t i = 0; i < boundary.size(); ++i) {
+        const auto& at = boundary[i];
+        const std::uint32_t name = i < walls.name_of_face.size() ? walls.name_of_face[i] : no_name;
+        const bool wall = mesh.cells[at.cell].beyond[at.face] == core::beyond_wall;
+        if (!wall && name == no_name)
             continue;
-        const core::CellFace face = core::face(cell.shape, f);
-        std::array<Vec3, 4> corner;
-        for (std::size_t i = 0; i < face.count; ++i)
-            corner[i] = mesh.points[cell.node[face.node[i]]];
-        if (in_a_side(box, std::span(corner).first(face.count)))
-            continue;
+        const Kind kind = !wall                                        ? Kind::Other
+                          : in_a_side(box, corners_of(mesh, at).all()) ? Kind::Side
+                                                                       : Kind::Wall;
+        if (kind == Kind::Wall || name != no_name)
+            patches[{kind, name}].push_back(at);
+    }
+    return patches;
+}
+
+std::size_t side_triangles(const CellMesh& mesh, const FacesOfPatches& patches) {
+    std::size_t count = 0;
+    for (const auto& [patch, faces] : patches)
+        if (patch.first != core::BoundaryPatch::Kind::Wall)
+            for (const auto& at : faces)
+                count += corners_of(mesh, at).count - 2;
+    return count;
+}
+
+void add_faces(const CellMesh& mesh, const std::vector<BoundaryFace>& faces, Triangles& triangles) {
+    for (const auto& at : faces) {
+        const auto [corner, count] = corners_of(mesh, at);
         triangles.add(corner[0], corner[1], corner[2]);
-        if (face.count == 4)
+        if (count == 4)
             triangles.add(corner[0], corner[2], corner[3]);
     }
 }
@@ -301,25 +408,33 @@ Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
         return found;
     const auto boundary = core::boundary_faces(*mesh);
     const NumberedPoints numbered(*mesh, boundary);
-    const auto polygons = polygons_of(step.walls, numbered);
+    PatchNames names;
+    const auto polygons = polygons_of(step.walls, numbered, names);
     std::set<Polygon> matched;
     for (const auto& [cell, face] : boundary) {
         if (polygons.empty())
             break;
+        found.name_of_face.push_back(no_name);
         const Polygon nodes = source_polygon(assembly, mesh->cells[cell], face);
         Polygon key;
         for (const std::uint32_t node : nodes)
             key.push_back(numbered.of_node(node));
-        const auto wall = polygons.find(sorted_set(std::move(key)));
-        if (wall == polygons.end())
+        const auto given = polygons.find(sorted_set(std::move(key)));
+        if (given == polygons.end())
             continue;
-        matched.insert(wall->first);
+        found.name_of_face.back() = given->second.name;
+        if (!given->second.wall)
+            continue;
+        matched.insert(given->first);
         mesh->cells[cell].beyond[face] = core::beyond_wall;
-        if (wall->second)
+        if (given->second.no_slip)
             found.still.insert(found.still.end(), nodes.begin(), nodes.end());
     }
     found.still = sorted_set(std::move(found.still));
-    found.unmatched = polygons.size() - matched.size();
+    found.unmatched = static_cast<std::size_t>(std::ranges::count_if(
+                          polygons, [](const auto& each) { return each.second.wall; })) -
+                      matched.size();
+    found.names = std::move(names.names);
     if (!assembly.place.empty())
         wall_off_pieces(assembly, boundary);
     wall_off_holes(*mesh, boundary);
@@ -345,14 +460,37 @@ void add_still_walls(GridAssembly& assembly,
     }
 }
 
-core::WallGeometry wall_geometry(const GridAssembly& assembly, const SourceStep& step) {
+core::WallGeometry
+wall_geometry(GridAssembly& assembly, const SourceStep& step, const Walls& walls) {
+    using Kind = core::BoundaryPatch::Kind;
     Triangles triangles;
-    if (const auto* mesh = std::get_if<CellMesh>(&assembly.grid))
-        add_wall_faces(*mesh, triangles);
+    const auto* mesh = std::get_if<CellMesh>(&assembly.grid);
+    auto patches = mesh != nullptr ? faces_of_patches(*mesh, walls) : FacesOfPatches();
+    if (mesh != nullptr && side_triangles(*mesh, patches) > most_side_triangles) {
+        std::erase_if(patches, [](const auto& each) { return each.first.first != Kind::Wall; });
+        add_note(assembly.note, "patches that are no walls, and walls in the sides of the domain, "
+                                "are not kept for display: they have more than " +
+                                    std::to_string(most_side_triangles) + " triangles");
+    }
+    const bool named = !walls.names.empty();
+    const auto add_patches = [&](bool of_body) {
+        for (const auto& [patch, faces] : patches) {
+            const auto& [kind, name] = patch;
+            if ((kind == Kind::Wall) != of_body)
+                continue;
+            if (named)
+                triangles.begin(name == no_name ? "other walls" : walls.names[name], kind);
+            add_faces(*mesh, faces, triangles);
+        }
+    };
+    add_patches(true);
+    if (named && !step.solids.empty())
+        triangles.begin("solids", Kind::Wall);
     for (const auto& solid : step.solids)
         if (solid != nullptr)
             add_polygons(*solid, triangles);
-    if (const auto* mesh = std::get_if<CellMesh>(&assembly.grid); mesh != nullptr && mesh->axis)
+    add_patches(false);
+    if (mesh != nullptr && mesh->axis)
         triangles.revolve(*mesh->axis);
     return std::move(triangles.out);
 }

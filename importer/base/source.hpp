@@ -60,12 +60,16 @@ struct SourceDescription {
     std::map<std::size_t, core::Error> unreadable{};
 };
 
-/// Holds faces at which the fluid ends.
+/// Holds faces at which the fluid ends: a patch of its boundary.
 struct WallFaces {
     /// The faces; their points have exactly the coordinates that they have in the blocks.
     vtkSmartPointer<vtkPolyData> faces;
     /// True if the velocity on them is zero, whatever averaging results in.
     bool no_slip = false;
+    /// As the files have it; several may share a name, as the pieces of a patch do. May be empty.
+    std::string name{};
+    /// False of an inlet, an outlet and the like, which are for display only.
+    bool wall = true;
 };
 
 struct SourceStep {

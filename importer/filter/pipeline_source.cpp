@@ -62,7 +62,7 @@ class PipelineSource final : public Source {
             auto surface = surface_of(*leaf.data, description_.name);
             if (!surface)
                 return tl::unexpected(surface.error());
-            out.walls.push_back({std::move(*surface), is_still(*leaf.data, fields)});
+            out.walls.push_back({std::move(*surface), is_still(*leaf.data, fields), leaf.name()});
         }
         return out;
     }

@@ -96,6 +96,19 @@ void members(Io& io, Of<Io, FieldInfo>& of) {
     io.some("stored", of.stored, {}, true);
 }
 
+template <>
+inline constexpr auto words_of<core::BoundaryPatch::Kind> =
+    std::to_array<Word<core::BoundaryPatch::Kind>>({{core::BoundaryPatch::Kind::Wall, "wall"},
+                                                    {core::BoundaryPatch::Kind::Side, "side"},
+                                                    {core::BoundaryPatch::Kind::Other, "other"}});
+
+template <class Io>
+void members(Io& io, Of<Io, core::BoundaryPatch>& of) {
+    io.needed("name", of.name);
+    io.needed("kind", of.kind);
+    io.needed("triangles", of.triangles);
+}
+
 template <class Io>
 void members(Io& io, Of<Io, DatasetInfo>& of) {
     io.needed("dataset", of.dataset);
@@ -111,6 +124,7 @@ void members(Io& io, Of<Io, DatasetInfo>& of) {
     io.needed("velocity", of.velocity);
     io.needed("why", of.why);
     io.needed("obstacle", of.obstacle);
+    io.some("patches", of.patches);
     io.needed("bytesPerStep", of.bytes_per_step);
     io.newer("finestSpacing", of.finest_spacing);
     io.some("periodic", of.periodic);

@@ -246,10 +246,28 @@ class Client(Helpful):
                  "duration": repr(float(plain(duration, "duration"))), "length": repr(float(plain(length, "length")))}
         return Streamlines.from_bytes(self._field_file(dataset, "lines.bin", query, field, time), field)
 
+    @named
+    def body(self, dataset: str, *, patch: Optional[str] = None, all_patches: bool = False, field: Optional[str] = None,
+             time: Optional[float] = None) -> bytes:
+        """Returns the walls of a dataset's bodies as the bytes of a .vtp file, or one `patch` of the boundary by its name (`patches` of
+        `describe`), or `all_patches`. `field`: a value beside the wall for each point, at `time`; left out, the last. Error: NotFound
+        where there is none, InvalidParameters, OutsideTimeRange.
+
+        >>> client.body("sphere", field="velocity")[:21]
+        b'<?xml version="1.0"?>'
+        """
+        query = {**({"patch": patch} if patch is not None else {}), **({"patches": "all"} if all_patches else {})}
+        if field is None:
+            return self._dataset_file(dataset, "body.vtp", query)
+        return self._field_file(dataset, "body.vtp", query, field, self.describe(dataset)["times"][-1] if time is None else time)
+
     def _field_file(self, dataset: str, name: str, query: Dict[str, str], field: str, time: Optional[float]) -> bytes:
         query = {**query, "field": field}
         if time is not None:
             query["time"] = repr(float(plain(time, "time")))
+        return self._dataset_file(dataset, name, query)
+
+    def _dataset_file(self, dataset: str, name: str, query: Dict[str, str]) -> bytes:
         status, _, body = self._request(f"/api/v1/datasets/{urllib.parse.quote(dataset, safe='')}/{name}?{urllib.parse.urlencode(query)}")
         if status != 200:
             raise error_of(json.loads(body)["error"])

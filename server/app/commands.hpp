@@ -186,6 +186,25 @@ void add_lines_options(CLI::App& command, LinesOptions& options);
 /// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
 int run_lines(const LinesOptions& options);
 
+// `wakesurf body`: writes the walls of a dataset with values beside them, without a server.
+
+struct BodyOptions {
+    std::string dataset;
+    std::vector<std::string> fields;
+    std::vector<std::string> patches; ///< by name; empty: the walls of bodies
+    bool all_patches = false;
+    std::optional<double> time; ///< nothing: the last
+    std::string output;
+    std::uint64_t memory = 0; ///< 0: by the machine and the control group
+    std::string store;
+    command::SourceOptions taken;
+};
+
+void add_body_options(CLI::App& command, BodyOptions& options);
+
+/// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
+int run_body(const BodyOptions& options);
+
 // `wakesurf means`: makes and removes means over time of fields of a dataset, without a server.
 
 struct MeansOptions {

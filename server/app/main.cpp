@@ -163,6 +163,10 @@ int run(int argc, char** argv) {
     add_lines_options(*command("lines", "Write streamlines of a dataset to a file",
                                [&] { return run_lines(lines); }),
                       lines);
+    BodyOptions body;
+    add_body_options(*command("body", "Write the walls of a dataset, with values, to a file",
+                              [&] { return run_body(body); }),
+                     body);
     MeansOptions means;
     add_means_options(*command("means",
                                "Make the mean and the rms over time of fields of a dataset, or "

@@ -19,7 +19,7 @@ core::Result<core::SceneSuggestion> suggest_for(const core::DatasetInfo& info,
     if (store != nullptr)
         if (const auto* mesh = std::get_if<core::CellMesh>(&store->grid()))
             series.axis = mesh->axis;
-    const auto walls = store != nullptr ? store->load_walls() : flow.walls();
+    const auto walls = (store != nullptr ? store->load_walls() : flow.walls()).map(core::body_of);
     if (!walls)
         return tl::unexpected(walls.error());
     return core::suggest_scene(flow, series, *walls, std::move(stop));

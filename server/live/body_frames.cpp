@@ -5,13 +5,10 @@
 #include "protocol/wire/lattice.hpp"
 #include "protocol/wire/mesh_encoder.hpp"
 #include "server/data/obstacle_mesh.hpp"
-#include "server/data/surface_scalars.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -24,49 +21,16 @@ constexpr std::size_t obstacle_bytes = 400;
 /// The additional memory for velocity, a field, speed, s and t, as numbers and as codes, in bytes a vertex.
 constexpr std::size_t flow_bytes = core::wall_velocity_bytes + 150;
 
-/// Returns a field beside an obstacle's vertices, not a number where there is none.
-core::Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
-                                               const Obstacle& obstacle,
-                                               double time,
-                                               const std::string& field,
-                                               const std::stop_token& stop) {
-    const bool masked = dataset.store != nullptr && !dataset.store->mask().empty();
-    auto places = core::places_off_wall(obstacle.mesh, *dataset.flow,
-                                        masked ? core::mask_distances : core::wall_distances, stop);
-    if (!places)
-        return tl::unexpected(places.error());
-    core::QuadComplex beside;
-    beside.position = *std::move(places);
-    beside.velocity = obstacle.mesh.velocity;
-    const std::vector<double> times(beside.position.size(), time);
-    auto scalars = surface_scalars(dataset, beside, times, {field}, stop);
-    if (!scalars)
-        return tl::unexpected(scalars.error());
-    std::vector<float> values;
-    if (const auto found = scalars->find(field); found != scalars->end())
-        values = std::move(found->second);
-    else if (field == dataset.info.velocity) // its magnitude
-        for (core::VertexId v = 0; v < beside.vertices(); ++v)
-            values.push_back(static_cast<float>(beside.speed(v)));
-    else
-        return core::fail(core::Error::Code::NotFound,
-                          "`" + field + "` is a field of surfaces, not of obstacles",
-                          "choose a stored field, the velocity, vorticity or q_criterion");
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (i >= obstacle.walls || std::isnan(beside.position[i].x))
-            values[i] = std::numeric_limits<float>::quiet_NaN();
-    return values;
-}
-
 } // namespace
 
 core::Result<std::string> body_frames(const LoadedDataset& dataset,
                                       std::optional<double> time,
                                       const std::string& field,
+                                      const PatchChoice& patches,
                                       const core::MemoryAccount& account,
                                       core::MemoryAccount::Share& share,
                                       const std::stop_token& stop) {
-    auto obstacle = obstacle_of(dataset);
+    auto obstacle = obstacle_of(dataset, patches);
     if (!obstacle)
         return tl::unexpected(obstacle.error());
     core::QuadComplex& mesh = obstacle->mesh;
@@ -107,7 +71,7 @@ core::Result<AnimatedBody> animated_body(const LoadedDataset& dataset,
                                          const core::MemoryAccount& account,
                                          core::MemoryAccount::Share& share,
                                          const std::stop_token& stop) {
-    auto frames = body_frames(dataset, {}, "", account, share, stop);
+    auto frames = body_frames(dataset, {}, "", {}, account, share, stop);
     if (!frames && frames.error().code == core::Error::Code::NotFound)
         return AnimatedBody{};
     if (!frames)

@@ -3,6 +3,7 @@
 
 #include "core/base/memory_account.hpp"
 #include "core/base/result.hpp"
+#include "server/data/obstacle_mesh.hpp"
 #include "server/data/open_dataset.hpp"
 
 #include <cstddef>
@@ -20,6 +21,7 @@ namespace wakesurf::server {
 core::Result<std::string> body_frames(const LoadedDataset& dataset,
                                       std::optional<double> time,
                                       const std::string& field,
+                                      const PatchChoice& patches,
                                       const core::MemoryAccount& account,
                                       core::MemoryAccount::Share& share,
                                       const std::stop_token& stop);

@@ -149,13 +149,18 @@ core::Result<DownloadRequest> read_download(std::string_view file,
 
 core::Result<ObstacleRequest> read_obstacle(const std::map<std::string, std::string>& query) {
     constexpr const char* usage = "?time=2.5 adds the velocity along it at that time, &field=p a "
-                                  "field as well; there is no other parameter";
+                                  "field as well, patches=all all patches of the boundary, "
+                                  "patch=NAME one; there is no other parameter";
     ObstacleRequest asked;
     for (const auto& [name, value] : query) {
         if (name == "time")
             asked.time = finite_number(value);
         else if (name == "field")
             asked.field = value;
+        else if (name == "patches" && value == "all")
+            asked.patches.of = PatchChoice::Of::All;
+        else if (name == "patch" && !query.contains("patches"))
+            asked.patches = {PatchChoice::Of::Named, {value}};
         else
             return fail(Error::Code::InvalidArgument,
                         "an obstacle has no parameter `" + name.substr(0, 64) + "`", usage);

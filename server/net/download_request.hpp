@@ -3,6 +3,7 @@
 
 #include "core/base/result.hpp"
 #include "protocol/files/mesh_file.hpp"
+#include "server/data/obstacle_mesh.hpp"
 #include "server/live/surface_job.hpp"
 
 #include <map>
@@ -42,10 +43,11 @@ core::Result<std::optional<double>> shown_at(const DownloadRequest& request,
                                              const core::SurfaceParameters& parameters,
                                              std::optional<double> clock);
 
-/// What is asked for along a dataset's obstacle, as in obstacle.bin?time=2.5&field=p.
+/// What is asked for along a dataset's obstacle, as in obstacle.bin?time=2.5&field=p or body.vtp?patch=hull.
 struct ObstacleRequest {
     std::optional<double> time; ///< of the velocity along it; empty: its shape alone
     std::string field{};        ///< also along it, at that time; empty: none
+    PatchChoice patches{};
 };
 
 /// Error: InvalidArgument, also for a field without a time.

@@ -10,6 +10,7 @@
 #include "protocol/files/surface_lines.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/split.hpp"
+#include "server/data/obstacle_file.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/surface_scalars.hpp"
 #include "server/live/body_frames.hpp"
@@ -21,6 +22,7 @@
 #include "server/net/slice_downloads.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -136,6 +138,9 @@ HttpResponse file_response(const std::string& name,
             body};
 }
 
+/// A dataset's files of its body: frames for the page, and a file for other programs.
+constexpr std::string_view obstacle_name = "obstacle.bin", body_name = "body.vtp";
+
 } // namespace
 
 Downloads::Downloads(Loop& loop,
@@ -155,8 +160,8 @@ bool Downloads::handle(const HttpRequest& request,
     const auto parts = split(request.path, '/');
     const auto part = [&](std::size_t i) { return std::string(parts[i]); };
     if (parts.size() == 6 && request.path.starts_with("/api/v1/datasets/") &&
-        parts[5] == "obstacle.bin")
-        obstacle(request, identity, part(4), respond);
+        (parts[5] == obstacle_name || parts[5] == body_name))
+        obstacle(request, identity, part(4), part(5), respond);
     else if (parts.size() == 6 && request.path.starts_with("/api/v1/datasets/") &&
              parts[5] == slice_file_name)
         fields_.get(request, turns_of("slice", identity), part(4), plan_slice, respond);
@@ -186,6 +191,7 @@ bool Downloads::replaced(const LoadedDataset& data) const {
 void Downloads::obstacle(const HttpRequest& request,
                          const Identity& identity,
                          const std::string& id,
+                         const std::string& name,
                          const Respond& respond) {
     const auto dataset = catalogue_.find(id);
     if (!dataset)
@@ -204,16 +210,27 @@ void Downloads::obstacle(const HttpRequest& request,
         if (const auto known = check_fields(**dataset, {asked->field}, "field"); !known)
             return respond(http_error(known.error()));
     const std::string when = time ? fmt::format(" at {} {}", *time, asked->field) : "";
+    const std::string tag =
+        fmt::format("{} {} {}{} {} {}", name, id, values_of(**dataset), when,
+                    static_cast<int>(asked->patches.of), fmt::join(asked->patches.names, "\n"));
     files_.get(
-        "obstacle " + id + " " + values_of(**dataset) + when, turns_of("", identity),
-        [loaded = *dataset, time, field = asked->field,
+        tag, turns_of("", identity),
+        [loaded = *dataset, time, asked = *asked, name,
          &account = account_](const std::stop_token& stop, core::MemoryAccount::Share& share) {
-            return body_frames(*loaded, time, field, account, share, stop);
+            if (name == obstacle_name)
+                return body_frames(*loaded, time, asked.field, asked.patches, account, share, stop);
+            std::vector<std::string> fields;
+            if (!asked.field.empty())
+                fields.push_back(asked.field);
+            return obstacle_file(*loaded, {asked.patches, fields, time.value_or(0.0)}, account,
+                                 share, stop)
+                .map([](ObstacleFile file) { return std::move(file.bytes); });
         },
         request.gone,
-        [this, respond, request, identity, id, data = *dataset](const core::Result<File>& file) {
+        [this, respond, request, identity, id, name,
+         data = *dataset](const core::Result<File>& file) {
             if (replaced(*data))
-                return obstacle(request, identity, id, respond);
+                return obstacle(request, identity, id, name, respond);
             if (!file)
                 return respond(http_error(file.error()));
             respond({200,

@@ -50,6 +50,7 @@ class Downloads {
     void obstacle(const HttpRequest& request,
                   const Identity& identity,
                   const std::string& dataset,
+                  const std::string& name,
                   const Respond& respond);
 
     const SessionDirectory& sessions_;

@@ -68,7 +68,8 @@ bool is_download(const HttpRequest& request) {
 /// Says whether the memory of an answer is counted already, for all its readers: net/shared_files.
 bool is_shared_file(const std::string& path) {
     return path.find("/surfaces/") != std::string::npos || path.ends_with("/obstacle.bin") ||
-           path.ends_with("/slice.bin") || path.ends_with("/lines.bin");
+           path.ends_with("/body.vtp") || path.ends_with("/slice.bin") ||
+           path.ends_with("/lines.bin");
 }
 
 HttpResponse too_much_waits(std::size_t bytes) {

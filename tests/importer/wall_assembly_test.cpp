@@ -140,11 +140,90 @@ TEST(WallAssembly, TakesFacesThatAreAtRestAtBothTimeSteps) {
 
 TEST(WallAssembly, ShowsSolidRegions) {
     const Pointers blocks{brick({0, 0, 0}, 1.0, {1, 1, 1})};
-    const auto assembly = assemble_grid(blocks).value();
+    auto assembly = assemble_grid(blocks).value();
     SourceStep step;
     step.solids.push_back(polygons({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}}));
     EXPECT_EQ(wall_geometry(assembly, step).triangles.size(), 2u);
     EXPECT_EQ(wall_geometry(assembly, step).points.size(), 4u);
+}
+
+using Kind = core::BoundaryPatch::Kind;
+using Patches = std::vector<core::BoundaryPatch>;
+
+// The six faces of the hole, and the quads of the sides x = 0 and x = 3.
+struct FacesOfHole {
+    vtkSmartPointer<vtkPolyData> low = polygons({{{1, 1, 1}, {1, 2, 1}, {1, 2, 2}, {1, 1, 2}}});
+    vtkSmartPointer<vtkPolyData> high = polygons({{{2, 1, 1}, {2, 2, 1}, {2, 2, 2}, {2, 1, 2}}});
+    vtkSmartPointer<vtkPolyData> side = polygons({{{0, 0, 0}, {0, 1, 0}, {0, 1, 1}, {0, 0, 1}}});
+    vtkSmartPointer<vtkPolyData> inlet = polygons({{{3, 0, 0}, {3, 1, 0}, {3, 1, 1}, {3, 0, 1}},
+                                                   {{3, 1, 1}, {3, 2, 1}, {3, 2, 2}, {3, 1, 2}}});
+};
+
+TEST(WallAssembly, KeepsThePatchesOfTheSourceByName) {
+    auto assembly = brick_with_hole();
+    const FacesOfHole faces;
+    SourceStep step;
+    step.walls = {{faces.inlet, false, "inlet", false},
+                  {faces.low, true, "hull"},
+                  {faces.side, true, "hull"}, // a piece of it lies in a side of the box
+                  {faces.high, true, "tail"},
+                  {polygons({}), true, "empty"}};
+    const Walls walls = find_walls(assembly, step);
+    EXPECT_EQ(walls.unmatched, 0u);
+    const auto geometry = wall_geometry(assembly, step, walls);
+    EXPECT_EQ(geometry.patches, (Patches{{"hull", Kind::Wall, 2},
+                                         {"tail", Kind::Wall, 2},
+                                         {"other walls", Kind::Wall, 8},
+                                         {"hull", Kind::Side, 2},
+                                         {"inlet", Kind::Other, 4}}));
+    EXPECT_EQ(geometry.triangles.size(), 18u);
+    for (const std::uint32_t point : geometry.triangles.front())
+        EXPECT_EQ(geometry.points[point].x, 1.0f);
+    for (const std::uint32_t point : geometry.triangles.back())
+        EXPECT_EQ(geometry.points[point].x, 3.0f);
+    const auto body = core::body_of(geometry);
+    EXPECT_EQ(body.triangles.size(), 12u);
+    EXPECT_EQ(body.points.size(), 8u); // as without names
+}
+
+TEST(WallAssembly, KeepsNoPatchesOfASourceThatNamesNone) {
+    auto assembly = brick_with_hole();
+    SourceStep step;
+    step.walls = {{FacesOfHole().low, true}, {FacesOfHole().inlet, false, "", false}};
+    const auto geometry = wall_geometry(assembly, step, find_walls(assembly, step));
+    EXPECT_TRUE(geometry.patches.empty());
+    EXPECT_EQ(geometry.triangles.size(), 12u);
+}
+
+TEST(WallAssembly, MakesNamesOfStrangersHarmlessAndPutsManyPatchesTogether) {
+    auto assembly = brick_with_hole();
+    SourceStep step;
+    for (int i = 0; i < 1000; ++i)
+        step.walls.push_back({polygons({}), false, "p" + std::to_string(i)});
+    step.walls.front() = {FacesOfHole().low, false, "a\x1b[31m" + std::string(1 << 20, 'x')};
+    step.walls.back().faces = FacesOfHole().high;
+    const Walls walls = find_walls(assembly, step);
+    EXPECT_EQ(walls.names.size(), most_patches);
+    const auto patches = wall_geometry(assembly, step, walls).patches;
+    ASSERT_EQ(patches.size(), 3u);
+    EXPECT_EQ(patches[0].name.find('\x1b'), std::string::npos);
+    EXPECT_LE(patches[0].name.size(), 110u);
+    EXPECT_EQ(patches[1], (core::BoundaryPatch{"further patches", Kind::Wall, 2}));
+}
+
+TEST(WallAssembly, SaysSoWhereThereAreTooManySidesToKeep) {
+    const Pointers blocks{brick({0, 0, 0}, 1.0, {1, 512, 512})};
+    auto assembly = assemble_grid(blocks).value();
+    std::vector<std::vector<Vec3>> faces;
+    for (int j = 0; j < 512; ++j)
+        for (int k = 0; k < 512; ++k) {
+            const double y = j, z = k;
+            faces.push_back({{0, y, z}, {0, y + 1, z}, {0, y + 1, z + 1}, {0, y, z + 1}});
+        }
+    SourceStep step;
+    step.walls = {{polygons(faces), false, "inlet", false}};
+    EXPECT_TRUE(wall_geometry(assembly, step, find_walls(assembly, step)).patches.empty());
+    EXPECT_NE(assembly.note.find("not kept for display"), std::string::npos) << assembly.note;
 }
 
 } // namespace

@@ -142,7 +142,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
         picture: (size) => scene.copySmall(size),
         busy: () => scene.interaction.dragging || document.visibilityState !== 'visible',
     });
-    const dataset = new OpenDataset({ state, scene, worker, imports });
+    const dataset = new OpenDataset({ state, view, scene, worker, imports });
     const suggestions = new Suggestions(state, worker);
     const controller = new SessionController({
         state,
@@ -162,7 +162,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     const clock = new ClockControl({ state, worker, requestFrame });
     const playback = new Playback({ state, edits, clock });
     const bodyFields = new BodyFields({
-        ...{ state, view, scene, worker },
+        ...{ state, view, scene, worker, server },
         time: () => playback.time.value,
         moves: () => playback.mode.value === 'clock',
     });

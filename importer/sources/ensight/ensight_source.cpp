@@ -135,8 +135,9 @@ class EnsightSource final : public Source {
             out.blocks.push_back(std::move(*sound));
         }
         for (auto& [number, face] : faces)
-            if (walls_.contains(number))
-                out.walls.push_back({face, stands_still(*face, fields)});
+            if (on_blocks_.contains(number))
+                out.walls.push_back({face, walls_.contains(number) && stands_still(*face, fields),
+                                     geometry_.parts.at(number).name, walls_.contains(number)});
         for (const auto& [number, surface] : solids_)
             out.solids.push_back(surface);
         return out;

@@ -283,7 +283,8 @@ core::Result<SourceStep> ExodusFile::take(const std::vector<FieldInfo>* fields, 
         } else if (leaf.path.front() == "Side Sets" ||
                    (of_elements && is_called_wall(leaf.name()) && is_flat(*data))) {
             const auto faces = faces_of(*data);
-            out.walls.push_back({faces, fields != nullptr && stands_still(*faces, *fields)});
+            out.walls.push_back(
+                {faces, fields != nullptr && stands_still(*faces, *fields), leaf.name()});
         } else if (of_elements && is_solid_shape(*data)) {
             out.blocks.push_back(data);
         }

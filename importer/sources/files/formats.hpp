@@ -54,7 +54,7 @@ bool is_openfoam(const std::filesystem::path& path);
 
 /// Reads a case, whole or decomposed, through vtkOpenFOAMReader: one reader a processor folder, each of which
 /// it takes for a case of its own. (vtkPOpenFOAMReader appends the same parts, but passes over what a
-/// processor lacks.) Blocks: one a fluid region and processor. Walls: the patches of a type of wall. Solids:
+/// processor lacks.) Blocks: one a fluid region and processor. Walls: the patches by name, those of a type of wall and others. Solids:
 /// the boundaries of regions without a velocity. Values are VTK's, 32 bits, of the cells; point fields and
 /// particles are left out.
 /// Error: as scan_openfoam_case and Source::read of the first time-step.

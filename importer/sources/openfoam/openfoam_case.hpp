@@ -33,6 +33,8 @@ struct FoamRegion {
     std::map<std::string, std::vector<std::string>> groups{};
     std::string empty{};            ///< a patch of this type that has faces, if there is one
     std::set<std::string> wedges{}; ///< its patches of this type
+    std::set<std::string>
+        others{}; ///< those at which the fluid ends but for walls: inlets, outlets
 };
 
 struct FoamCase {

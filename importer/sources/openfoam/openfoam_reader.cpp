@@ -339,6 +339,8 @@ void OpenfoamReader::choose_patches() {
             reader_->SetPatchArrayStatus((prefix + "internalMesh").c_str(), 1);
             for (const auto& wall : region.walls)
                 reader_->SetPatchArrayStatus((prefix + "patch/" + wall).c_str(), 1);
+            for (const auto& other : region.others)
+                reader_->SetPatchArrayStatus((prefix + "patch/" + other).c_str(), 1);
             for (const auto& wedge : region.wedges)
                 reader_->SetPatchArrayStatus((prefix + "patch/" + wedge).c_str(), 1);
             for (const auto& [cyclic, other] : region.cyclic)
@@ -367,7 +369,7 @@ core::Result<void> OpenfoamReader::add_values(const FoamTime& time,
             if (!values)
                 return tl::unexpected(values.error());
             for (auto& leaf : leaves)
-                if (region_of(leaf) == region.name)
+                if (region_of(leaf) == region.name && !region.others.contains(leaf.name()))
                     if (auto added = add_array(leaf, region, field, *values, name); !added)
                         return added;
         }

@@ -64,6 +64,12 @@ bool is_wall(const std::string& type) {
     return type == "wall" || type.ends_with("Wall");
 }
 
+// Says whether faces are an end of the fluid that is no wall, not one that is only reckoned with.
+bool is_other(const std::string& type) {
+    return !is_wall(type) && type != "empty" && type != "wedge" && !type.starts_with("cyclic") &&
+           !type.starts_with("processor");
+}
+
 // Collects the patches of all parts: in some versions of OpenFOAM a part lists only those that touch it.
 core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
     region.walls.clear();
@@ -72,6 +78,7 @@ core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
     region.groups.clear();
     region.empty.clear();
     region.wedges.clear();
+    region.others.clear();
     for (const auto& part : found.parts) {
         const auto file = found.file_at(found.mesh_file(part, region.name, "boundary"));
         const auto patches = read_foam_patches(file.path, file.name);
@@ -91,6 +98,8 @@ core::Result<void> find_patches(const FoamCase& found, FoamRegion& region) {
                 region.wedges.insert(patch.name);
             if (patch.type.starts_with("cyclic"))
                 region.cyclic[patch.name] = patch.neighbour;
+            if (is_other(patch.type))
+                region.others.insert(patch.name);
             if (patch.type == "cyclic")
                 region.conformal.insert(patch.name);
             if (patch.type == "processorCyclic")

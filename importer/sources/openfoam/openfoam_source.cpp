@@ -198,6 +198,13 @@ class OpenfoamSource final : public Source {
                 wedge_sides_.push_back(side_of(*leaf.data));
             return {};
         }
+        if (known->others.contains(leaf.name())) {
+            if (auto* faces = vtkPolyData::SafeDownCast(leaf.data)) {
+                keep_only(*faces, {});
+                out.walls.push_back({faces, false, leaf.name(), false});
+            }
+            return {};
+        }
         const std::string file = time.name + " of " + found_.file;
         if (auto whole = require_fields(*leaf.data, fields, file); !whole) {
             // The file is there: VTK passes over one that cannot be unpacked.
@@ -209,7 +216,7 @@ class OpenfoamSource final : public Source {
         if (is_inside(leaf))
             out.blocks.push_back(leaf.data);
         else if (auto* faces = vtkPolyData::SafeDownCast(leaf.data))
-            out.walls.push_back({faces, stands_still(*faces, fields)});
+            out.walls.push_back({faces, stands_still(*faces, fields), leaf.name()});
         return {};
     }
 

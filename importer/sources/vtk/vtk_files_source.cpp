@@ -394,7 +394,8 @@ class VtkFilesSource final : public Source {
         if (!named && !*no_slip)
             return {};
         return surface_of(data, leaf.name).map([&](auto surface) {
-            out.walls.push_back({std::move(surface), *no_slip});
+            out.walls.push_back(
+                {std::move(surface), *no_slip, leaf.block.empty() ? leaf.name : leaf.block});
         });
     }
 

@@ -322,6 +322,12 @@ TEST(ObstacleDownload, OfABuiltInFlowIsTheBodyThatItIsSolidIn) {
     for (const protocol::LatticePoint& node : mesh.position)
         EXPECT_NEAR(glm::length(dequantise(lattice, node)), 2.0, lattice.step);
     EXPECT_EQ(obstacle("tornado").status, 404);
+    const auto with = [&](const std::string& query) {
+        return http(server.port(), "GET", "/api/v1/datasets/sphere/obstacle.bin?" + query,
+                    server.bearer());
+    };
+    EXPECT_EQ(decoded(with("patches=all").body).position, mesh.position);
+    EXPECT_EQ(with("patches=inlet").status, 400);
 }
 
 TEST(ObstacleDownload, AtATimeHasTheVelocityOffTheBody) {

@@ -1,12 +1,15 @@
+import { signal } from '@preact/signals-core';
 import { describe, expect, it } from 'vitest';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import { AppState } from '../state/appState.ts';
+import { plainBody } from '../state/bodyLook.ts';
 import { datasetOf, suggestionOf } from '../testing/records.ts';
 import { rested } from '../testing/shownPanel.ts';
 import { OpenDataset } from './openDataset.ts';
 
 function bench() {
     const state = new AppState();
+    const view = { body: signal(plainBody) };
     const shown: string[] = [];
     const description = () => datasetOf({ obstacle: true });
     const entry: DatasetEntry = { dataset: 'flow', name: 'flow', state: 'ready', steps: { ready: 2, total: 2 }, values: '' };
@@ -29,6 +32,7 @@ function bench() {
     };
     const dataset = new OpenDataset({
         state,
+        view,
         scene,
         worker,
         imports: { left: { value: false }, begin: async () => undefined } as never,
@@ -41,7 +45,7 @@ function bench() {
         await rested();
         return [...shown];
     };
-    return { state, dataset, tell };
+    return { state, view, dataset, tell };
 }
 
 describe('a link to a dataset that is not there', () => {

@@ -1,8 +1,11 @@
 // The dataset that the page shows: waits for its import, puts its domain and body into the picture, follows
 // its growth.
+import { computed, effect } from '@preact/signals-core';
 import { type DatasetDescription, type DatasetEntry, errorWords, type HeldChange } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
+import { showsBeyondBody } from '../state/bodyPatches.ts';
+import type { ViewState } from '../state/viewState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import type { ImportWait } from './importWait.ts';
 import { StepsHeld } from './time/cachedSteps.ts';
@@ -11,6 +14,7 @@ const importPollMs = 1000;
 
 export interface OpenDatasetOptions {
     state: AppState;
+    view: Pick<ViewState, 'body'>;
     scene: Pick<FlowScene, 'setDomain' | 'setObstacle' | 'removeObstacle'>;
     worker: Pick<WorkerClient, 'call' | 'obstacle'>;
     imports: Pick<ImportWait, 'begin' | 'left'>;
@@ -21,10 +25,21 @@ export class OpenDataset {
     private readonly stepsHeld: StepsHeld;
     /** What the values of the data that are shown are told from others by. */
     private values: string | undefined;
+    private readonly allPatches = computed(() => {
+        const { state, view } = this.options;
+        return showsBeyondBody(state.dataset.value, view.body.value);
+    });
 
     constructor(options: OpenDatasetOptions) {
         this.options = options;
         this.stepsHeld = new StepsHeld(options.state, options.worker);
+        let before = false;
+        effect(() => {
+            const all = this.allPatches.value;
+            const shown = options.state.dataset.peek();
+            if (all !== before && shown !== null) void this.loadObstacle(shown);
+            before = all;
+        });
     }
 
     /** Until some of its time-steps can be used, and as long as its user wants to wait; null when `gone`.
@@ -65,14 +80,17 @@ export class OpenDataset {
         if (known?.dataset === dataset && sameGrid(before, values)) return;
         scene.setDomain(description.bounds);
         if (known !== null) scene.removeObstacle();
-        if (description.obstacle) void this.loadObstacle(description);
+        void this.loadObstacle(description);
     }
 
-    private async loadObstacle({ dataset, lattice }: DatasetDescription): Promise<void> {
+    private async loadObstacle(description: DatasetDescription): Promise<void> {
+        const { dataset, lattice } = description;
+        const allPatches = this.allPatches.peek();
+        if (!description.obstacle && !allPatches) return this.options.scene.removeObstacle();
         try {
-            const geometry = await this.options.worker.obstacle(dataset, lattice);
+            const geometry = await this.options.worker.obstacle(dataset, lattice, allPatches);
             const stillShown = this.options.state.dataset.value?.dataset === dataset;
-            if (geometry !== null && stillShown) {
+            if (geometry !== null && stillShown && allPatches === this.allPatches.peek()) {
                 this.options.scene.setObstacle(geometry);
             }
         } catch (error) {

@@ -3,6 +3,7 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { answering, emptyStorage, settled } from '../testing/fakes.ts';
 import { apiLevel, type DatasetEntry, type Patch, type SessionSnapshot } from '../protocol/messages.ts';
 import { datasetOf, emptySnapshot, rakeOf, suggestionOf, surfaceOf } from '../testing/records.ts';
+import { plainBody } from '../state/bodyLook.ts';
 import { AppState } from '../state/appState.ts';
 import { CallError } from '../worker/workerClient.ts';
 import { Suggestions } from './sessions/defaultScene.ts';
@@ -63,7 +64,7 @@ class Bench {
         const imports = { left: this.left, begin: async (dataset: string) => void this.begun.push(dataset) };
         const views = { restore: () => undefined, recovered: () => undefined };
         const thumbnails = { patched: () => undefined };
-        const dataset = new OpenDataset({ state, scene, worker, imports });
+        const dataset = new OpenDataset({ state, view: { body: signal(plainBody) }, scene, worker, imports });
         const suggestions = new Suggestions(state, worker);
         const filled = () => undefined;
         const rest = { dataset, suggestions, feed, edits, people, views, thumbnails, url, filled };

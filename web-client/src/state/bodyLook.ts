@@ -13,7 +13,11 @@ export interface BodyLook {
     range: readonly [number, number] | null;
     /** Lines of equal values. */
     contours: boolean;
+    /** Those that are other than usual (bodyPatches.ts). */
+    patches: readonly string[];
 }
+
+const maxPatches = 300;
 
 export const plainBody: BodyLook = {
     texture: false,
@@ -22,6 +26,7 @@ export const plainBody: BodyLook = {
     invert: false,
     range: null,
     contours: false,
+    patches: [],
 };
 
 const checks: Record<keyof BodyLook, (value: unknown) => boolean> = {
@@ -31,6 +36,7 @@ const checks: Record<keyof BodyLook, (value: unknown) => boolean> = {
     invert: isFlag,
     range: isSpan,
     contours: isFlag,
+    patches: (value) => Array.isArray(value) && value.length <= maxPatches && value.every(isName),
 };
 
 /** Returns what differs from the usual, for a link or a bookmark. */

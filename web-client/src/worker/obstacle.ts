@@ -18,6 +18,8 @@ export interface Place {
 export interface Wanted {
     dataset: string;
     lattice: Lattice;
+    /** Also those that are no part of the body. */
+    allPatches: boolean;
 }
 
 /** Speed, s and t come before it. */
@@ -29,7 +31,7 @@ let last: { nodes: Int32Array; from: Uint32Array } | null = null;
 
 /** Null when the dataset has no obstacle. */
 export async function fetchObstacle(place: Place, wanted: Wanted, draco: DracoPoints): Promise<BodyMesh | null> {
-    const bytes = await fetchBytes(place, wanted, '');
+    const bytes = await fetchBytes(place, wanted, {});
     return bytes === null ? null : decodeObstacle(bytes, draco, wanted.lattice);
 }
 
@@ -40,8 +42,7 @@ export async function fetchBodyValues(
     draco: DracoPoints,
 ): Promise<BodyValues | null> {
     const { time, field } = wanted;
-    const query = new URLSearchParams({ time: String(time), ...(field === '' ? {} : { field }) });
-    const bytes = await fetchBytes(place, wanted, `?${query.toString()}`);
+    const bytes = await fetchBytes(place, wanted, { time: String(time), ...(field === '' ? {} : { field }) });
     return bytes === null ? null : decodeBodyValues(bytes, draco, wanted.lattice, field !== '');
 }
 
@@ -73,12 +74,17 @@ export function decodeBodyValues(bytes: Uint8Array, draco: DracoPoints, lattice:
     return { flow, field };
 }
 
-async function fetchBytes({ baseUrl, login }: Place, { dataset }: Wanted, query: string): Promise<Uint8Array | null> {
-    const path = `api/v1/datasets/${encodeURIComponent(dataset)}/obstacle.bin${query}`;
+async function fetchBytes(
+    { baseUrl, login }: Place,
+    { dataset, allPatches }: Wanted,
+    asked: Record<string, string>,
+): Promise<Uint8Array | null> {
+    const query = new URLSearchParams({ ...asked, ...(allPatches ? { patches: 'all' } : {}) }).toString();
+    const path = `api/v1/datasets/${encodeURIComponent(dataset)}/obstacle.bin${query === '' ? '' : `?${query}`}`;
     const response = await fetch(new URL(path, baseUrl), signed(login));
     if (response.status === 404) return null;
     if (!response.ok) {
-        const what = query === '' ? 'The obstacle' : 'What is along the body';
+        const what = asked['time'] === undefined ? 'The obstacle' : 'What is along the body';
         throw new Error(`${what} could not be loaded (${response.status}).`);
     }
     return new Uint8Array(await response.arrayBuffer());

@@ -143,13 +143,14 @@ export class WorkerClient {
         });
     }
 
-    obstacle(dataset: string, lattice: Lattice): Promise<BodyMesh | null> {
-        return this.ask((id) => ({ type: 'obstacle', id, dataset, lattice }));
+    /** @param allPatches also those that are no part of the body */
+    obstacle(dataset: string, lattice: Lattice, allPatches: boolean): Promise<BodyMesh | null> {
+        return this.ask((id) => ({ type: 'obstacle', id, dataset, lattice, allPatches }));
     }
 
     /** Null where there is no obstacle. @param field empty: the velocity alone */
-    bodyValues(dataset: string, lattice: Lattice, time: number, field: string): Promise<BodyValues | null> {
-        return this.ask((id) => ({ type: 'bodyValues', id, dataset, lattice, time, field }));
+    bodyValues(dataset: string, lattice: Lattice, time: number, field: string, allPatches: boolean): Promise<BodyValues | null> {
+        return this.ask((id) => ({ type: 'bodyValues', id, dataset, lattice, allPatches, time, field }));
     }
 
     private ask<Result>(message: (id: number) => MessageOf<ToWorker>): Promise<Result> {

@@ -14,9 +14,9 @@ export interface ToWorker {
     cancel: { id: number };
     /** To the server; nothing is answered. */
     notify: { method: 'presence.update'; params: object };
-    obstacle: { id: number; dataset: string; lattice: Lattice };
+    obstacle: { id: number; dataset: string; lattice: Lattice; allPatches: boolean };
     /** Beside the obstacle at a time; field: empty for the velocity alone. */
-    bodyValues: { id: number; dataset: string; lattice: Lattice; time: number; field: string };
+    bodyValues: { id: number; dataset: string; lattice: Lattice; allPatches: boolean; time: number; field: string };
     /** A state of this surface is on the screen: the next one may come. */
     taken: { surface: string };
     /** Which of the surface's attributes the page wants; of its parts, what is asked here. */

@@ -29,6 +29,9 @@ const plain = 'none false';
 type Uniforms = FieldUniforms & { opacityOfBody: { value: number } };
 type FieldUniforms = { colours: { value: DataTexture }; fieldRange: { value: Vector2 }; contourStep: { value: number } };
 
+/** From one cell to before another. */
+export type CellSpan = readonly [number, number];
+
 type Planes = readonly (readonly [number, number, number, number])[];
 
 export interface BodyColours {
@@ -62,6 +65,8 @@ export class DrawnBody {
     private field: Float32Array | null = null;
     private readonly fieldUniforms: FieldUniforms;
     private moving = false;
+    private hidden: readonly CellSpan[] = [];
+    private indices: Uint32Array | null = null;
     private program = plain;
 
     constructor(surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>) {
@@ -120,7 +125,21 @@ export class DrawnBody {
         });
         clipMaterial(this.mesh.material, this.planes);
         this.object.add(this.mesh);
+        this.indices = body.indices;
+        this.showIndices();
         this.applyValues();
+    }
+
+    /** Cells that are not drawn, in the order of what was fetched. */
+    setHidden(hidden: readonly CellSpan[]): void {
+        this.hidden = hidden;
+        this.showIndices();
+    }
+
+    private showIndices(): void {
+        if (this.mesh === null || this.indices === null) return;
+        const shown = this.hidden.length === 0 ? this.indices : withoutCells(this.indices, this.hidden);
+        if (this.mesh.geometry.index?.array !== shown) this.mesh.geometry.setIndex(new BufferAttribute(shown, 1));
     }
 
     /** With its values: what comes next may be another body of as many vertices. */
@@ -198,6 +217,22 @@ function clipMaterial(material: Material, planes: readonly (readonly [number, nu
     const cutting = planes.filter(([x, y, z]) => x !== 0 || y !== 0 || z !== 0);
     material.clippingPlanes = cutting.map(([x, y, z, w]) => new Plane(new Vector3(-x, -y, -z), w));
     material.needsUpdate = true;
+}
+
+/** Of a cell come two triangles, of which one has no area. */
+const indicesOfCell = 6;
+
+export function withoutCells(indices: Uint32Array, hidden: readonly CellSpan[]): Uint32Array {
+    const shown = new Uint32Array(indices.length);
+    let count = 0;
+    let at = 0;
+    for (const [from, to] of [...hidden, [Infinity, Infinity] as const]) {
+        const kept = indices.subarray(at, Math.min(indicesOfCell * from, indices.length));
+        shown.set(kept, count);
+        count += kept.length;
+        at = Math.min(indicesOfCell * to, indices.length);
+    }
+    return shown.slice(0, count);
 }
 
 function createObstacleMesh({ positions, normals, indices }: BodyMesh): Mesh<BufferGeometry, MeshLambertMaterial> {

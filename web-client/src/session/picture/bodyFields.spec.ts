@@ -19,10 +19,19 @@ function bench(change: Partial<DatasetDescription> = {}) {
     const shown: (number | null)[] = [];
     const moved: (number | null)[] = [];
     const fields: string[] = [];
+    const files: string[] = [];
     const coloured: BodyColours[] = [];
     const clock = signal(true);
     const bodyFields = new BodyFields({
         ...{ state, view, time: () => time.value, moves: () => clock.value },
+        server: {
+            fetch: (path) => {
+                files.push(path);
+                return Promise.resolve(
+                    path.includes('field=none') ? new Response('gone', { status: 404 }) : new Response('<VTKFile'),
+                );
+            },
+        },
         scene: {
             setBodyColours: (colours) => void coloured.push(colours),
             setBodyValues: (values) => void shown.push(values?.flow[0] ?? null),
@@ -50,7 +59,7 @@ function bench(change: Partial<DatasetDescription> = {}) {
         waiting.shift()![how]();
         await rested();
     };
-    return { state, view, time, clock, asked, fields, coloured, shown, moved, bodyFields, answer };
+    return { state, view, time, clock, asked, fields, files, coloured, shown, moved, bodyFields, answer };
 }
 
 describe('the values along the body', () => {
@@ -145,5 +154,21 @@ describe('the values along the body', () => {
         expect(shown).toEqual([1]);
         state.dataset.value = datasetOf({ dataset: 'empty', obstacle: false });
         expect(shown).toEqual([1, null]);
+    });
+});
+
+describe('the file of the body', () => {
+    it('has the field and the time that are shown, and the patches that were fetched', async () => {
+        const { state, view, time, files, bodyFields } = bench();
+        time.value = 2;
+        expect(await (await bodyFields.file())?.text()).toBe('<VTKFile');
+        state.dataset.value = { ...state.dataset.value!, patches: [{ name: 'inlet', kind: 'other', triangles: 2 }] };
+        view.body.value = { ...view.body.value, colourBy: 'speed', patches: ['inlet (other)'] };
+        await bodyFields.file();
+        const { dataset, velocity } = state.dataset.value;
+        expect(files.map((path) => path.replace(`api/v1/datasets/${dataset}/body.vtp?`, ''))).toEqual([
+            '',
+            `field=${velocity}&time=2&patches=all`,
+        ]);
     });
 });

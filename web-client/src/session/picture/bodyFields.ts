@@ -1,9 +1,11 @@
 // The values along the body, for its texture and its colours: asked for while they are wanted, at the time of the picture. One
 // request at a time; of what comes meanwhile only the newest is asked for.
 import { computed, effect, signal } from '@preact/signals-core';
+import { faultOf, type OwnServer } from '../../connection/ownServer.ts';
 import type { BodyValues } from '../../mesh/meshChange.ts';
 import { niceStep } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
+import { showsBeyondBody } from '../../state/bodyPatches.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
@@ -16,6 +18,7 @@ export interface BodyFieldsOptions {
     view: Pick<ViewState, 'body'>;
     scene: Pick<FlowScene, 'setBodyColours' | 'setBodyTime' | 'setBodyValues'>;
     worker: Pick<WorkerClient, 'bodyValues'>;
+    server: Pick<OwnServer, 'fetch'>;
     /** Returns the time of the picture; no number where nothing has one. */
     time: () => number;
     /** A clock moves it. */
@@ -23,6 +26,7 @@ export interface BodyFieldsOptions {
 }
 
 const about = 'body values';
+const aboutFile = 'body file';
 /** More lines of equal values run into each other. */
 const contourLines = 15;
 
@@ -32,6 +36,7 @@ interface Wish {
     time: number;
     /** As the server knows it; empty: the flow alone. */
     field: string;
+    allPatches: boolean;
 }
 
 /** What a field's values on the body lie between. */
@@ -118,14 +123,50 @@ export class BodyFields {
         const { state, view } = this.options;
         const dataset = state.dataset.value;
         const field = this.field.value;
-        if ((!view.body.value.texture && field === '') || dataset?.obstacle !== true) return null;
+        if ((!view.body.value.texture && field === '') || dataset === null) return null;
+        const allPatches = showsBeyondBody(dataset, view.body.value);
+        if (!dataset.obstacle && !allPatches) return null;
+        const time = this.timeInData();
+        const key = JSON.stringify([
+            dataset.dataset,
+            state.datasetEntry.value?.values,
+            time,
+            field,
+            allPatches,
+            view.body.value.texture,
+        ]);
+        return { key, time, field, allPatches };
+    });
+
+    /** The body as a .vtp file, with the field that is shown on it; null where the server did not send it, and why is told. */
+    async file(): Promise<Blob | null> {
+        const { server, state, view } = this.options;
+        const dataset = state.dataset.value;
+        const field = this.field.value;
+        const query = new URLSearchParams({
+            ...(field === '' ? {} : { field, time: String(this.timeInData()) }),
+            ...(showsBeyondBody(dataset, view.body.value) ? { patches: 'all' } : {}),
+        });
+        try {
+            const reply = await server.fetch(
+                `api/v1/datasets/${encodeURIComponent(dataset?.dataset ?? '')}/body.vtp?${query.toString()}`,
+            );
+            if (!reply.ok) throw await faultOf(reply);
+            state.notices.solved(aboutFile);
+            return await reply.blob();
+        } catch (error) {
+            state.notices.tell(aboutFile, error);
+            return null;
+        }
+    }
+
+    private timeInData(): number {
+        const { state } = this.options;
         const times = state.times.value;
         const [first, last] = [times[0] ?? 0, times.at(-1) ?? 0];
         // A flow that stands still is the same at all times.
-        const time = dataset.steady ? first : Math.min(last, Math.max(first, this.time()));
-        const key = JSON.stringify([dataset.dataset, state.datasetEntry.value?.values, time, field, view.body.value.texture]);
-        return { key, time, field };
-    });
+        return state.dataset.value?.steady === true ? first : Math.min(last, Math.max(first, this.time()));
+    }
 
     private time(): number {
         const time = this.options.time();
@@ -147,10 +188,12 @@ export class BodyFields {
         for (let wish = this.next(); wish !== null; wish = this.next()) {
             const { dataset, lattice } = state.dataset.value!;
             let failure: unknown = null;
-            const values = await worker.bodyValues(dataset, lattice, wish.time, wish.field).catch((error: unknown) => {
-                failure = error ?? new Error('The values along the body could not be loaded.');
-                return null;
-            });
+            const values = await worker
+                .bodyValues(dataset, lattice, wish.time, wish.field, wish.allPatches)
+                .catch((error: unknown) => {
+                    failure = error ?? new Error('The values along the body could not be loaded.');
+                    return null;
+                });
             // Switched off, or another dataset, meanwhile.
             if (this.wish.value === null || state.dataset.value?.dataset !== dataset) continue;
             if (failure === null) {

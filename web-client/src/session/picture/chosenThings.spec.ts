@@ -10,7 +10,11 @@ const slice: SliceRecord = { slice: 'c1', rev: 1, dataset: 'flow', origin: [0, 0
 function opened(only: string) {
     const [state, view] = [new AppState(), new ViewState()];
     view.changeVisibility({ only });
-    connectChosenThings({ state, view, scene: { body: { setOpacity: () => undefined }, loop: { request: () => undefined } } });
+    connectChosenThings({
+        state,
+        view,
+        scene: { body: { setOpacity: () => undefined, setHidden: () => undefined }, loop: { request: () => undefined } },
+    });
     return { state, view };
 }
 

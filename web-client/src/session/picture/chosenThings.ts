@@ -3,13 +3,14 @@
 import { effect, untracked } from '@preact/signals-core';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
+import { hasBoundary, hiddenCells } from '../../state/bodyPatches.ts';
 import { bodyId, chosenRake, opacityOf, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 
 export interface ChosenThingsOptions {
     state: Pick<AppState, 'activeRake' | 'activeSurface' | 'dataset' | 'lines' | 'rakes' | 'slices' | 'stage' | 'surfaces'>;
-    view: Pick<ViewState, 'changeVisibility' | 'chosenThing' | 'visibility'>;
-    scene: { body: Pick<FlowScene['body'], 'setOpacity'>; loop: Pick<FlowScene['loop'], 'request'> };
+    view: Pick<ViewState, 'body' | 'changeVisibility' | 'chosenThing' | 'visibility'>;
+    scene: { body: Pick<FlowScene['body'], 'setHidden' | 'setOpacity'>; loop: Pick<FlowScene['loop'], 'request'> };
 }
 
 /** For as long as the page lives. */
@@ -23,12 +24,16 @@ export function connectChosenThings({ state, view, scene }: ChosenThingsOptions)
         scene.body.setOpacity(shows(visibility, bodyId) ? opacityOf(visibility, bodyId) : 0);
         scene.loop.request();
     });
+    effect(() => {
+        scene.body.setHidden(hiddenCells(state.dataset.value, view.body.value));
+        scene.loop.request();
+    });
     // Only what was there can be gone: a link is read before the records are here.
     const seen = new Set<string>();
     effect(() => {
         const { rakes, surfaces, slices, lines } = state;
         const there = new Set([rakes, surfaces, slices, lines].flatMap(({ value }) => [...value.keys()]));
-        if (state.dataset.value?.obstacle === true) there.add(bodyId);
+        if (hasBoundary(state.dataset.value)) there.add(bodyId);
         const isGone = (id: string | null): boolean => id !== null && seen.has(id) && !there.has(id);
         for (const id of there) seen.add(id);
         if (isGone(view.chosenThing.value)) view.chosenThing.value = null;

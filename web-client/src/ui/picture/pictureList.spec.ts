@@ -21,7 +21,7 @@ beforeEach(async () => {
     removed = [];
     places.value = new Map([['c1', { origin: [0, 0, 2], normal: [0, 0, 1], field: 'p', minus: null }]]);
     const { state, view, edits } = bench;
-    const body = { setOpacity: (opacity: number) => void (bodyOpacity = opacity) };
+    const body = { setHidden: () => undefined, setOpacity: (opacity: number) => void (bodyOpacity = opacity) };
     const scene = { body, loop: { request: () => undefined } };
     connectChosenThings({ state, view, scene });
     hideSurfaces(state, view);

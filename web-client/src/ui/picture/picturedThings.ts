@@ -13,6 +13,7 @@ import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { bodyId, opacityOf, shows } from '../../state/pageView.ts';
 import { seedsWords } from '../lines/linesPlaces.ts';
+import { hasBoundary } from '../../state/bodyPatches.ts';
 import type { ViewState } from '../../state/viewState.ts';
 
 export interface PictureListModel {
@@ -133,14 +134,15 @@ function lines({ view, lines: loaded }: PictureListModel): PicturedThing[] {
 }
 
 function body({ state, view }: PictureListModel): PicturedThing[] {
-    if (state.dataset.value?.obstacle !== true) return [];
+    const dataset = state.dataset.value;
+    if (!hasBoundary(dataset)) return [];
     const { colourBy } = view.body.value;
     const about = colourBy === 'constant' ? 'grey' : byWords(colourBy);
     return [
         {
             id: bodyId,
             kind: 'body',
-            name: 'Body',
+            name: dataset?.obstacle === true ? 'Body' : 'Sides',
             about,
             title: 'of the data',
             colour: null,
