@@ -223,6 +223,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     };
     const panel: PanelModel = {
         beside: beside !== null,
+        comparison: comparison ?? noComparison,
         state,
         view,
         ownCopy,
