@@ -53,6 +53,7 @@ import { OwnCopy } from './session/sessions/ownCopy.ts';
 import { SessionList } from './session/sessions/sessionList.ts';
 import { SurfaceOutcomes, SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
+import { sayOtherDatasets } from './session/picture/otherDatasets.ts';
 import { showUnits, typeUnits } from './session/picture/writtenNumbers.ts';
 import { Views } from './session/view/views.ts';
 import { AppState } from './state/appState.ts';
@@ -107,6 +108,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     showStillPictures(view, scene, graphics);
     showMarks(state, view, scene);
     showUnits(state, view, scene);
+    sayOtherDatasets(state);
     const sight = {
         pick: (at: ScreenPoint) => scene.pick(at),
         rakeAt: (at: ScreenPoint) => scene.rakes.pointUnder(at, scene.view()),
@@ -225,6 +227,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     };
     const panel: PanelModel = {
         beside: beside !== null,
+        comparison: comparison ?? noComparison,
         state,
         view,
         ownCopy,

@@ -67,6 +67,8 @@ export interface PageFacts extends Omit<ScriptedPage, 'parts'> {
 declare global {
     interface Window {
         wakesurf?: PageFacts;
+        /** Of the right half of a comparison. */
+        wakesurfBeside?: PageFacts;
     }
 }
 
@@ -202,8 +204,8 @@ function factsOf(scripted: ScriptedPage): PageFacts {
 
 /** Puts the facts in the place of what the page shows to programs, as soon as it is there. */
 export async function showFacts(context: BrowserContext): Promise<void> {
-    await context.addInitScript(`Object.defineProperty(window, 'wakesurf', {
-        configurable: true,
-        set: (page) => Object.defineProperty(window, 'wakesurf', { value: (${factsOf.toString()})(page) }),
-    })`);
+    await context.addInitScript(`for (const name of ['wakesurf', 'wakesurfBeside']) {
+        let facts;
+        Object.defineProperty(window, name, { get: () => facts, set: (page) => (facts = (${factsOf.toString()})(page)) });
+    }`);
 }

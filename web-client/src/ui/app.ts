@@ -302,10 +302,14 @@ export class App extends SignalElement {
                 grid-template: minmax(0, 1fr) auto auto 0 / minmax(0, 1fr);
             }
             .layout.comparing {
-                grid-template: auto minmax(24vh, 1fr) minmax(24vh, 1fr) auto auto minmax(0, 30vh) / minmax(0, 1fr);
+                grid-template: auto minmax(32vh, 1.4fr) minmax(20vh, 1fr) auto auto minmax(0, 20vh) / minmax(0, 1fr);
             }
             .layout.comparing.folded {
                 grid-template: auto minmax(0, 1fr) minmax(0, 1fr) auto auto 0 / minmax(0, 1fr);
+            }
+            /* Colours mean the same in both halves. */
+            main.alone wakesurf-scalar-bar {
+                display: none;
             }
             .layout.comparing > * {
                 grid-column: 1;

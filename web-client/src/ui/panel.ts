@@ -39,6 +39,7 @@ import type { MeansModel } from './slices/meansPanel.ts';
 import type { LinesModel } from './lines/linesPanel.ts';
 import type { SlicesModel } from './slices/slicesPanel.ts';
 import './view/surroundingsPanel.ts';
+import type { ToolsModel } from './view/viewButtons.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
 import './out/pictureExport.ts';
 import type { FilmExportModel, PictureExportModel } from './out/pictureExport.ts';
@@ -89,6 +90,7 @@ export interface PanelModel {
     /** What the scripts that are offered below a part are made of. */
     state: AppState;
     view: ViewState;
+    comparison: ToolsModel['comparison'];
     ownCopy: OwnCopy;
     help: HelpModel;
     sessionHead: SessionHeadModel;
@@ -155,6 +157,21 @@ function settingsOfChosen(model: PanelModel): TemplateResult {
         </section>`;
 }
 
+/** Where the picture has no room for the button. */
+function twoPictures({ right, whyNot, toggle }: PanelModel['comparison']): TemplateResult {
+    return html`<section aria-labelledby="beside-head">
+        <h2 id="beside-head">Two pictures</h2>
+        <button
+            type="button"
+            title=${whyNot.value || 'Another dataset, another time or other settings'}
+            ?disabled=${whyNot.value !== '' && right.value === null}
+            @click=${() => void toggle()}
+        >
+            ${right.value === null ? 'Show side by side' : 'End'}
+        </button>
+    </section>`;
+}
+
 interface Tab {
     id: string;
     label: string;
@@ -200,6 +217,7 @@ const tabs: readonly Tab[] = [
                 <h2 id="probe-head">Probe and measure</h2>
                 <wakesurf-probe .model=${model.probe}></wakesurf-probe>
             </section>
+            ${model.beside ? nothing : twoPictures(model.comparison)}
             <section aria-labelledby="surroundings-head">
                 <h2 id="surroundings-head">Surroundings</h2>
                 <wakesurf-surroundings .model=${model.surroundings}></wakesurf-surroundings>

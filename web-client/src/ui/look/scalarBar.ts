@@ -118,7 +118,14 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
     override render(): TemplateResult {
         const { state, view } = this.model;
         // Whenever one of these changes, what is drawn may.
-        void [state.displayed.value, view.looks.value, state.speedRange.value, state.valueRanges.value, view.fixedRanges.value];
+        void [
+            state.displayed.value,
+            view.looks.value,
+            state.speedRange.value,
+            state.valueRanges.value,
+            view.fixedRanges.value,
+            view.rangesBeside.value,
+        ];
         const all = this.barsShown();
         this.bars = all.slice(0, barsAtMost);
         this.hidden = this.bars.length + this.missing.size === 0;

@@ -220,8 +220,9 @@ export class ToolButtons extends ModelElement<ToolsModel> {
             div {
                 grid-auto-flow: column;
             }
-            /* The handles of the rake need the room; the panel offers plots, too. */
-            #plot {
+            /* The handles of the rake need the room; the panel offers both, too. */
+            #plot,
+            #compare {
                 display: none;
             }
         }
