@@ -101,29 +101,32 @@ class PatchNames {
     std::vector<std::string> names;
 };
 
-// Returns the polygons of a reader's walls and patches by place. A polygon with a point that is no boundary node is left out.
-std::map<Polygon, Given> polygons_of(const std::vector<WallFaces>& walls,
-                                     const NumberedPoints& numbered,
-                                     PatchNames& names) {
+// Returns the polygons of a reader's walls and other patches by place. A polygon with a point that is no boundary node is left out.
+std::map<Polygon, Given>
+polygons_of(const SourceStep& step, const NumberedPoints& numbered, PatchNames& names) {
     std::map<Polygon, Given> polygons;
     const auto ids = vtkSmartPointer<vtkIdList>::New();
-    for (const auto& wall : walls) {
-        const std::uint32_t name = names.number(wall.name);
-        for (vtkIdType i = 0; wall.faces != nullptr && i < wall.faces->GetNumberOfCells(); ++i) {
-            wall.faces->GetCellPoints(i, ids);
+    const auto add = [&](const WallFaces& patch, bool wall) {
+        const std::uint32_t name = names.number(patch.name);
+        for (vtkIdType i = 0; patch.faces != nullptr && i < patch.faces->GetNumberOfCells(); ++i) {
+            patch.faces->GetCellPoints(i, ids);
             Polygon polygon;
             for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
                 double p[3];
-                wall.faces->GetPoint(ids->GetId(k), p);
+                patch.faces->GetPoint(ids->GetId(k), p);
                 polygon.push_back(numbered.at({p[0], p[1], p[2]}));
             }
             Given& given = polygons[sorted_set(std::move(polygon))];
-            if (given.name == no_name || (wall.wall && !given.wall))
+            if (given.name == no_name)
                 given.name = name;
-            given.wall = given.wall || wall.wall;
-            given.no_slip = given.no_slip || wall.no_slip;
+            given.wall = given.wall || wall;
+            given.no_slip = given.no_slip || patch.no_slip;
         }
-    }
+    };
+    for (const WallFaces& wall : step.walls)
+        add(wall, true);
+    for (const WallFaces& other : step.others)
+        add(other, false);
     return polygons;
 }
 
@@ -409,7 +412,7 @@ Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
     const auto boundary = core::boundary_faces(*mesh);
     const NumberedPoints numbered(*mesh, boundary);
     PatchNames names;
-    const auto polygons = polygons_of(step.walls, numbered, names);
+    const auto polygons = polygons_of(step, numbered, names);
     std::set<Polygon> matched;
     for (const auto& [cell, face] : boundary) {
         if (polygons.empty())
