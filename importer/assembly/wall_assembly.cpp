@@ -351,12 +351,10 @@ FacesOfPatches faces_of_patches(const CellMesh& mesh, const Walls& walls) {
     return patches;
 }
 
-std::size_t side_triangles(const CellMesh& mesh, const FacesOfPatches& patches) {
+std::size_t faces_beside_body(const FacesOfPatches& patches) {
     std::size_t count = 0;
     for (const auto& [patch, faces] : patches)
-        if (patch.first != core::BoundaryPatch::Kind::Wall)
-            for (const auto& at : faces)
-                count += corners_of(mesh, at).count - 2;
+        count += patch.first != core::BoundaryPatch::Kind::Wall ? faces.size() : 0;
     return count;
 }
 
@@ -469,11 +467,11 @@ wall_geometry(GridAssembly& assembly, const SourceStep& step, const Walls& walls
     Triangles triangles;
     const auto* mesh = std::get_if<CellMesh>(&assembly.grid);
     auto patches = mesh != nullptr ? faces_of_patches(*mesh, walls) : FacesOfPatches();
-    if (mesh != nullptr && side_triangles(*mesh, patches) > most_side_triangles) {
+    if (faces_beside_body(patches) > most_side_faces) {
         std::erase_if(patches, [](const auto& each) { return each.first.first != Kind::Wall; });
         add_note(assembly.note, "patches that are no walls, and walls in the sides of the domain, "
                                 "are not kept for display: they have more than " +
-                                    std::to_string(most_side_triangles) + " triangles");
+                                    std::to_string(most_side_faces) + " faces");
     }
     const bool named = !walls.names.empty();
     const auto add_patches = [&](bool of_body) {
