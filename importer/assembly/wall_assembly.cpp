@@ -101,29 +101,32 @@ class PatchNames {
     std::vector<std::string> names;
 };
 
-// Returns the polygons of a reader's walls and patches by place. A polygon with a point that is no boundary node is left out.
-std::map<Polygon, Given> polygons_of(const std::vector<WallFaces>& walls,
-                                     const NumberedPoints& numbered,
-                                     PatchNames& names) {
+// Returns the polygons of a reader's walls and other patches by place. A polygon with a point that is no boundary node is left out.
+std::map<Polygon, Given>
+polygons_of(const SourceStep& step, const NumberedPoints& numbered, PatchNames& names) {
     std::map<Polygon, Given> polygons;
     const auto ids = vtkSmartPointer<vtkIdList>::New();
-    for (const auto& wall : walls) {
-        const std::uint32_t name = names.number(wall.name);
-        for (vtkIdType i = 0; wall.faces != nullptr && i < wall.faces->GetNumberOfCells(); ++i) {
-            wall.faces->GetCellPoints(i, ids);
+    const auto add = [&](const WallFaces& patch, bool wall) {
+        const std::uint32_t name = names.number(patch.name);
+        for (vtkIdType i = 0; patch.faces != nullptr && i < patch.faces->GetNumberOfCells(); ++i) {
+            patch.faces->GetCellPoints(i, ids);
             Polygon polygon;
             for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
                 double p[3];
-                wall.faces->GetPoint(ids->GetId(k), p);
+                patch.faces->GetPoint(ids->GetId(k), p);
                 polygon.push_back(numbered.at({p[0], p[1], p[2]}));
             }
             Given& given = polygons[sorted_set(std::move(polygon))];
-            if (given.name == no_name || (wall.wall && !given.wall))
+            if (given.name == no_name)
                 given.name = name;
-            given.wall = given.wall || wall.wall;
-            given.no_slip = given.no_slip || wall.no_slip;
+            given.wall = given.wall || wall;
+            given.no_slip = given.no_slip || patch.no_slip;
         }
-    }
+    };
+    for (const WallFaces& wall : step.walls)
+        add(wall, true);
+    for (const WallFaces& other : step.others)
+        add(other, false);
     return polygons;
 }
 
@@ -348,12 +351,10 @@ FacesOfPatches faces_of_patches(const CellMesh& mesh, const Walls& walls) {
     return patches;
 }
 
-std::size_t side_triangles(const CellMesh& mesh, const FacesOfPatches& patches) {
+std::size_t faces_beside_body(const FacesOfPatches& patches) {
     std::size_t count = 0;
     for (const auto& [patch, faces] : patches)
-        if (patch.first != core::BoundaryPatch::Kind::Wall)
-            for (const auto& at : faces)
-                count += corners_of(mesh, at).count - 2;
+        count += patch.first != core::BoundaryPatch::Kind::Wall ? faces.size() : 0;
     return count;
 }
 
@@ -409,7 +410,7 @@ Walls find_walls(GridAssembly& assembly, const SourceStep& step) {
     const auto boundary = core::boundary_faces(*mesh);
     const NumberedPoints numbered(*mesh, boundary);
     PatchNames names;
-    const auto polygons = polygons_of(step.walls, numbered, names);
+    const auto polygons = polygons_of(step, numbered, names);
     std::set<Polygon> matched;
     for (const auto& [cell, face] : boundary) {
         if (polygons.empty())
@@ -466,11 +467,11 @@ wall_geometry(GridAssembly& assembly, const SourceStep& step, const Walls& walls
     Triangles triangles;
     const auto* mesh = std::get_if<CellMesh>(&assembly.grid);
     auto patches = mesh != nullptr ? faces_of_patches(*mesh, walls) : FacesOfPatches();
-    if (mesh != nullptr && side_triangles(*mesh, patches) > most_side_triangles) {
+    if (faces_beside_body(patches) > most_side_faces) {
         std::erase_if(patches, [](const auto& each) { return each.first.first != Kind::Wall; });
         add_note(assembly.note, "patches that are no walls, and walls in the sides of the domain, "
                                 "are not kept for display: they have more than " +
-                                    std::to_string(most_side_triangles) + " triangles");
+                                    std::to_string(most_side_faces) + " faces");
     }
     const bool named = !walls.names.empty();
     const auto add_patches = [&](bool of_body) {

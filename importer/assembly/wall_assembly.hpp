@@ -27,7 +27,7 @@ inline constexpr std::uint32_t no_name = 0xffffffffu;
 inline constexpr std::size_t most_patches = 256;
 
 /// For display, of what is no wall or lies in a side of the domain.
-inline constexpr std::size_t most_side_triangles = 500'000;
+inline constexpr std::size_t most_side_faces = 250'000;
 
 /// Makes boundary faces walls: first those that the reader names, then those between pieces that stay apart, and
 /// the boundaries of holes in the domain.

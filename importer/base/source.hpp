@@ -68,8 +68,6 @@ struct WallFaces {
     bool no_slip = false;
     /// As the files have it; several may share a name, as the pieces of a patch do. May be empty.
     std::string name{};
-    /// False of an inlet, an outlet and the like, which are for display only.
-    bool wall = true;
 };
 
 struct SourceStep {
@@ -80,6 +78,8 @@ struct SourceStep {
     std::vector<WallFaces> walls;
     /// The surfaces of solid regions, for display only.
     std::vector<vtkSmartPointer<vtkPolyData>> solids;
+    /// Inlets, outlets and the like, for display only.
+    std::vector<WallFaces> others{};
 };
 
 /// A source of time-steps. Not thread-safe. Every error names the file (without its folder) and the

@@ -163,8 +163,8 @@ TEST(WallAssembly, KeepsThePatchesOfTheSourceByName) {
     auto assembly = brick_with_hole();
     const FacesOfHole faces;
     SourceStep step;
-    step.walls = {{faces.inlet, false, "inlet", false},
-                  {faces.low, true, "hull"},
+    step.others = {{faces.inlet, false, "inlet"}};
+    step.walls = {{faces.low, true, "hull"},
                   {faces.side, true, "hull"}, // a piece of it lies in a side of the box
                   {faces.high, true, "tail"},
                   {polygons({}), true, "empty"}};
@@ -189,7 +189,8 @@ TEST(WallAssembly, KeepsThePatchesOfTheSourceByName) {
 TEST(WallAssembly, KeepsNoPatchesOfASourceThatNamesNone) {
     auto assembly = brick_with_hole();
     SourceStep step;
-    step.walls = {{FacesOfHole().low, true}, {FacesOfHole().inlet, false, "", false}};
+    step.walls = {{FacesOfHole().low, true}};
+    step.others = {{FacesOfHole().inlet}};
     const auto geometry = wall_geometry(assembly, step, find_walls(assembly, step));
     EXPECT_TRUE(geometry.patches.empty());
     EXPECT_EQ(geometry.triangles.size(), 12u);
@@ -199,9 +200,9 @@ TEST(WallAssembly, MakesNamesOfStrangersHarmlessAndPutsManyPatchesTogether) {
     auto assembly = brick_with_hole();
     SourceStep step;
     for (int i = 0; i < 1000; ++i)
-        step.walls.push_back({polygons({}), false, "p" + std::to_string(i)});
-    step.walls.front() = {FacesOfHole().low, false, "a\x1b[31m" + std::string(1 << 20, 'x')};
-    step.walls.back().faces = FacesOfHole().high;
+        step.others.push_back({polygons({}), false, "p" + std::to_string(i)});
+    step.others.front() = {FacesOfHole().low, false, "a\x1b[31m" + std::string(1 << 20, 'x')};
+    step.others.back().faces = FacesOfHole().high;
     const Walls walls = find_walls(assembly, step);
     EXPECT_EQ(walls.names.size(), most_patches);
     const auto patches = wall_geometry(assembly, step, walls).patches;
@@ -221,7 +222,7 @@ TEST(WallAssembly, SaysSoWhereThereAreTooManySidesToKeep) {
             faces.push_back({{0, y, z}, {0, y + 1, z}, {0, y + 1, z + 1}, {0, y, z + 1}});
         }
     SourceStep step;
-    step.walls = {{polygons(faces), false, "inlet", false}};
+    step.others = {{polygons(faces), false, "inlet"}};
     EXPECT_TRUE(wall_geometry(assembly, step, find_walls(assembly, step)).patches.empty());
     EXPECT_NE(assembly.note.find("not kept for display"), std::string::npos) << assembly.note;
 }

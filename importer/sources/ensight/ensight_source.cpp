@@ -135,9 +135,11 @@ class EnsightSource final : public Source {
             out.blocks.push_back(std::move(*sound));
         }
         for (auto& [number, face] : faces)
-            if (on_blocks_.contains(number))
-                out.walls.push_back({face, walls_.contains(number) && stands_still(*face, fields),
-                                     geometry_.parts.at(number).name, walls_.contains(number)});
+            if (walls_.contains(number))
+                out.walls.push_back(
+                    {face, stands_still(*face, fields), geometry_.parts.at(number).name});
+            else
+                out.others.push_back({face, false, geometry_.parts.at(number).name});
         for (const auto& [number, surface] : solids_)
             out.solids.push_back(surface);
         return out;

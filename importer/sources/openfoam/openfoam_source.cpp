@@ -201,7 +201,7 @@ class OpenfoamSource final : public Source {
         if (known->others.contains(leaf.name())) {
             if (auto* faces = vtkPolyData::SafeDownCast(leaf.data)) {
                 keep_only(*faces, {});
-                out.walls.push_back({faces, false, leaf.name(), false});
+                out.others.push_back({faces, false, leaf.name()});
             }
             return {};
         }
