@@ -108,7 +108,7 @@ TEST(AnimationFile, HoldsTheBodyOfItsDataOnceAsThePageGetsIt) {
     const auto file = value_of(made(recipe_for(plan, dataset), plan, dataset));
     const core::MemoryAccount account(std::size_t{1} << 30);
     auto share = account.open(core::MemoryUse::Downloads);
-    const auto body = body_frames(dataset, {}, "", account, share, {});
+    const auto body = body_frames(dataset, {}, "", {}, account, share, {});
     ASSERT_TRUE(body);
     EXPECT_EQ(protocol::base64_bytes(content(file.file.bytes, "body")), *body);
     EXPECT_EQ(file.without_body, "");
