@@ -154,7 +154,7 @@ describe('someone of whom nothing is in the picture', () => {
         const picture = (await host.locator('canvas').first().boundingBox())!;
         const middle = { x: picture.x + picture.width / 2, y: picture.y + picture.height / 2 };
         // Left free for the buttons.
-        const inset = { left: 8, right: 100, top: 48, bottom: 8 };
+        const inset = { left: 8, right: 112, top: 48, bottom: 8 };
         await expect
             .poll(async () => {
                 const [box, at] = [

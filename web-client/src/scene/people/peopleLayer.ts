@@ -9,7 +9,7 @@ import { tintOf, WideLines } from '../base/wideLines.ts';
 const pointerRadiusPx = 6;
 const nameGapPx = 14;
 /** The buttons of view and tools are above and to the right. */
-const hintInsets = { left: 8, right: 100, top: 48, bottom: 8 };
+const hintInsets = { left: 8, right: 112, top: 48, bottom: 8 };
 const frustumWidthPx = 1.5;
 
 /** What is drawn of one person. */
