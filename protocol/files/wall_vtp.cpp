@@ -43,16 +43,20 @@ std::string names_array(const std::vector<core::BoundaryPatch>& patches) {
 std::string wall_vtp(const core::QuadComplex& mesh,
                      const std::vector<core::BoundaryPatch>& patches,
                      const std::vector<WallValues>& values,
-                     double time) {
+                     std::optional<double> time) {
+    const std::string when =
+        time ? fmt::format("<DataArray type=\"Float64\" Name=\"TimeValue\" "
+                           "NumberOfTuples=\"1\" format=\"ascii\">{}</DataArray>\n",
+                           *time)
+             : "";
     std::string xml = fmt::format(
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" "
         "byte_order=\"LittleEndian\" header_type=\"UInt64\" "
         "compressor=\"vtkZLibDataCompressor\">\n<PolyData>\n<FieldData>\n"
-        "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-        "format=\"ascii\">{}</DataArray>\n{}</FieldData>\n"
+        "{}{}</FieldData>\n"
         "<Piece NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" "
         "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n<PointData>\n",
-        time, patches.empty() ? "" : names_array(patches), mesh.vertices(), mesh.cells.size());
+        when, patches.empty() ? "" : names_array(patches), mesh.vertices(), mesh.cells.size());
     for (const WallValues& each : values)
         append_vtp_array(xml, "Float32", each.name, std::as_bytes(std::span(each.values)),
                          each.components);

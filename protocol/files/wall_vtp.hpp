@@ -4,6 +4,7 @@
 #include "core/dataset/wall_geometry.hpp"
 #include "core/surface/quad_complex.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,10 @@ struct WallValues {
 };
 
 /// Returns the file. Same input, same bytes. With patches each face has the number of its patch as `Patch`, -1 beyond them, and the field
-/// data their names as `PatchNames`. @param time  at which the values hold
+/// data their names as `PatchNames`. @param time  at which the values hold; empty: the shape alone
 std::string wall_vtp(const core::QuadComplex& mesh,
                      const std::vector<core::BoundaryPatch>& patches,
                      const std::vector<WallValues>& values,
-                     double time);
+                     std::optional<double> time);
 
 } // namespace wakesurf::protocol

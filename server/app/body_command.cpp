@@ -66,11 +66,14 @@ void add_body_options(CLI::App& command, BodyOptions& options) {
                     "Fields beside the body, a,b: stored scalars, the velocity, vorticity, "
                     "q_criterion (default: the shape alone)")
         ->delimiter(',');
-    command.add_option("--patch", options.patches,
-                       "A patch of the boundary by its name, instead of all walls of bodies; may "
-                       "be given again");
-    command.add_flag("--all-patches", options.all_patches,
-                     "All patches, also inlets, outlets and walls in the sides of the domain");
+    CLI::Option* const patch =
+        command.add_option("--patch", options.patches,
+                           "A patch of the boundary by its name, instead of all walls of bodies; "
+                           "may be given again");
+    command
+        .add_flag("--all-patches", options.all_patches,
+                  "All patches, also inlets, outlets and walls in the sides of the domain")
+        ->excludes(patch);
     command.add_option("--time", options.time, "Time of the values (default: the last)")
         ->check(CLI::Number);
     command.add_option("-o,--output", options.output, "File to write: .vtp")->required();
@@ -80,10 +83,7 @@ void add_body_options(CLI::App& command, BodyOptions& options) {
 int run_body(const BodyOptions& options) {
     const StopOnSignal signals;
     const auto done = make_body(options, signals.token());
-    if (done)
-        return 0;
-    const int status = report_failure(done.error());
-    return done.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+    return done ? 0 : report_refusal(done.error());
 }
 
 } // namespace wakesurf::server

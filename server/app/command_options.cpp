@@ -14,14 +14,16 @@ void add_dataset_argument(CLI::App& command, std::string& dataset) {
         ->required();
 }
 
-core::Result<double> chosen_time(std::optional<double> asked, const LoadedDataset& dataset) {
+core::Result<double>
+chosen_time(std::optional<double> asked, const LoadedDataset& dataset, std::string_view option) {
     const auto& times = dataset.info.times;
     if (times.empty() || dataset.info.steady)
         return asked.value_or(times.empty() ? 0.0 : times.front());
     if (asked && !(*asked >= times.front() && *asked <= times.back()))
-        return core::fail(core::Error::Code::InvalidArgument,
-                          fmt::format("--time: {:g} is outside the data", *asked),
-                          fmt::format("they have {:g} to {:g}", times.front(), times.back()));
+        return core::fail(
+            core::Error::Code::InvalidArgument,
+            fmt::format("{}: {:g} is outside the data", option, *asked),
+            fmt::format("{} has {:g} to {:g}", dataset.info.name, times.front(), times.back()));
     if (!asked && times.size() > 1)
         tell(stderr, "wakesurf: without --time: {:g}, the last\n", times.back());
     return asked.value_or(times.back());

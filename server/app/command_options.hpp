@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include <optional>
+#include <string_view>
 
 namespace wakesurf::server {
 
@@ -34,6 +35,8 @@ void add_dataset_argument(CLI::App& command, std::string& dataset);
 
 /// Returns the time that --time says; says which is taken where several are and none is chosen. Error: InvalidArgument where the data have
 /// no such time.
-core::Result<double> chosen_time(std::optional<double> asked, const LoadedDataset& dataset);
+core::Result<double> chosen_time(std::optional<double> asked,
+                                 const LoadedDataset& dataset,
+                                 std::string_view option = "--time");
 
 } // namespace wakesurf::server

@@ -83,4 +83,9 @@ int report_failure(const core::Error& told) {
     return 1;
 }
 
+int report_refusal(const core::Error& error) {
+    const int status = report_failure(error);
+    return error.code == core::Error::Code::InvalidArgument ? wrong_usage : status;
+}
+
 } // namespace wakesurf::server

@@ -35,4 +35,7 @@ inline constexpr int wrong_usage = 2; ///< exit status
 /// Prints `wakesurf: MESSAGE (HINT)`; returns the exit status.
 int report_failure(const core::Error& error);
 
+/// Prints likewise that a request is refused; the exit status is `wrong_usage` where an argument is wrong.
+int report_refusal(const core::Error& error);
+
 } // namespace wakesurf::server

@@ -197,10 +197,7 @@ void add_family_options(CLI::App& command, FamilyOptions& options) {
 int run_family(const FamilyOptions& options) {
     const StopOnSignal signals;
     const auto done = run_with(options, signals.token());
-    if (done)
-        return 0;
-    const int status = report_failure(done.error());
-    return done.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+    return done ? 0 : report_refusal(done.error());
 }
 
 } // namespace wakesurf::server

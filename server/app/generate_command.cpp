@@ -130,10 +130,8 @@ void add_generate_options(CLI::App& command, GenerateOptions& options) {
 
 int run_generate(const GenerateOptions& options) {
     const auto request = check_generate_options(options);
-    if (!request) {
-        const int status = report_failure(request.error());
-        return request.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
-    }
+    if (!request)
+        return report_refusal(request.error());
     const StopOnSignal signals;
     const auto show = [](const store::ImportProgress& progress) {
         store::show_progress(progress, stdout, "generate");

@@ -27,10 +27,8 @@ int run_import(const ImportOptions& options) {
          options.layout},
         [](const store::ImportProgress& progress) { store::show_progress(progress, stdout); },
         signals.token());
-    if (!imported) {
-        const int status = report_failure(imported.error());
-        return imported.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
-    }
+    if (!imported)
+        return report_refusal(imported.error());
     return 0;
 }
 

@@ -118,10 +118,7 @@ void add_lines_options(CLI::App& command, LinesOptions& options) {
 int run_lines(const LinesOptions& options) {
     const StopOnSignal signals;
     const auto done = make_lines(options, signals.token());
-    if (done)
-        return 0;
-    const int status = report_failure(done.error());
-    return done.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+    return done ? 0 : report_refusal(done.error());
 }
 
 } // namespace wakesurf::server

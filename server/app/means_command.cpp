@@ -117,10 +117,7 @@ void add_means_options(CLI::App& command, MeansOptions& options) {
 int run_means(const MeansOptions& options) {
     const StopOnSignal signals;
     const auto done = run_with(options, signals.token());
-    if (done)
-        return 0;
-    const int status = report_failure(done.error());
-    return done.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+    return done ? 0 : report_refusal(done.error());
 }
 
 } // namespace wakesurf::server

@@ -424,10 +424,8 @@ int run_serve(const ServeOptions& options) {
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files becomes an error of the write
     std::signal(SIGPIPE, SIG_IGN); // so does a closed reader
     auto prepared = prepare(options);
-    if (!prepared) {
-        const int status = report_failure(prepared.error());
-        return prepared.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
-    }
+    if (!prepared)
+        return report_refusal(prepared.error());
     const auto served = serve(*prepared, options);
     return served ? 0 : report_failure(served.error());
 }

@@ -217,10 +217,8 @@ int run_sessions(const SessionsOptions& options) {
     // Standard output has the answer; sessions of a state folder would log like a server.
     log_to_standard_error("warning");
     auto server = find_server(options);
-    if (!server) {
-        const int status = report_failure(server.error());
-        return server.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
-    }
+    if (!server)
+        return report_refusal(server.error());
     const auto done = options.action == "list"     ? list(**server, options)
                       : options.action == "rename" ? rename(**server, options)
                       : options.action == "export" ? export_session(**server, options)

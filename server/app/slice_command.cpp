@@ -112,7 +112,8 @@ Result<void> make(const SliceOptions& options, const std::stop_token& stop) {
         return tl::unexpected(other->error());
     const bool subtracts = other || options.minus_time;
     const LoadedDataset& subtracted = other ? **other : *dataset;
-    const auto then = chosen_time(options.minus_time ? options.minus_time : *time, subtracted);
+    const auto then =
+        chosen_time(options.minus_time ? options.minus_time : *time, subtracted, "--minus-time");
     if (subtracts && !then)
         return tl::unexpected(then.error());
     const auto window = core::plane_window(plane, dataset->flow->domain());
@@ -174,10 +175,7 @@ void add_slice_options(CLI::App& command, SliceOptions& options) {
 int run_slice(const SliceOptions& options) {
     const StopOnSignal signals;
     const auto done = make(options, signals.token());
-    if (done)
-        return 0;
-    const int status = report_failure(done.error());
-    return done.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+    return done ? 0 : report_refusal(done.error());
 }
 
 } // namespace wakesurf::server

@@ -413,10 +413,8 @@ int run_twin(const SurfaceOptions& options) {
 
 int run_surface(const SurfaceOptions& options) {
     auto request = check_surface_options(options).map_error(with_options);
-    if (!request) {
-        const int status = report_failure(request.error());
-        return request.error().code == core::Error::Code::InvalidArgument ? wrong_usage : status;
-    }
+    if (!request)
+        return report_refusal(request.error());
     if (request->picture)
         return draw_surface(options, *request);
     const StopOnSignal signals;

@@ -244,10 +244,7 @@ void add_verify_options(CLI::App& command, VerifyOptions& options) {
 int run_verify(const VerifyOptions& options) {
     const StopOnSignal signals;
     const auto done = verify(options, signals.token()).map_error(with_options);
-    if (done)
-        return *done;
-    const int status = report_failure(done.error());
-    return done.error().code == Error::Code::InvalidArgument ? wrong_usage : status;
+    return done ? *done : report_refusal(done.error());
 }
 
 } // namespace wakesurf::server

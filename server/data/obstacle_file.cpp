@@ -25,18 +25,17 @@ void leave_out_caps(Obstacle& obstacle) {
 }
 
 Result<protocol::WallValues> wall_values(const LoadedDataset& dataset,
-                                         Obstacle& obstacle,
+                                         const Obstacle& obstacle,
                                          const std::string& field,
                                          double time,
                                          const std::stop_token& stop) {
     if (field == dataset.info.velocity) {
-        core::QuadComplex& mesh = obstacle.mesh;
-        if (auto added = core::add_wall_velocity(mesh, *dataset.flow, time, stop); !added)
-            return tl::unexpected(added.error());
-        protocol::WallValues out{field, 3, {}};
-        for (const core::Vec3f& v : mesh.velocity)
-            out.values.insert(out.values.end(), {v.x, v.y, v.z});
-        return out;
+        return flow_beside(dataset, obstacle, time, stop).map([&](const core::QuadComplex& beside) {
+            protocol::WallValues out{field, 3, {}};
+            for (const core::Vec3f& v : beside.velocity)
+                out.values.insert(out.values.end(), {v.x, v.y, v.z});
+            return out;
+        });
     }
     return values_beside(dataset, obstacle, time, field, stop).map([&](std::vector<float> values) {
         return protocol::WallValues{field, 1, std::move(values)};
@@ -60,7 +59,7 @@ Result<ObstacleFile> obstacle_file(const LoadedDataset& dataset,
         return tl::unexpected(account.refusal("the file of this body", needed));
     std::vector<protocol::WallValues> values;
     for (const std::string& field : request.fields) {
-        auto beside = wall_values(dataset, *obstacle, field, request.time, stop);
+        auto beside = wall_values(dataset, *obstacle, field, request.time.value_or(0.0), stop);
         if (!beside)
             return tl::unexpected(beside.error());
         values.push_back(*std::move(beside));

@@ -7,6 +7,7 @@
 #include "server/data/open_dataset.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@ namespace wakesurf::server {
 struct ObstacleFileRequest {
     PatchChoice patches;
     std::vector<std::string> fields; ///< the velocity by its name is a vector
-    double time = 0.0;
+    std::optional<double> time{};    ///< needed for fields of a flow that changes with time
 };
 
 struct ObstacleFile {

@@ -108,19 +108,47 @@ Result<Obstacle> obstacle_of(const LoadedDataset& dataset, const PatchChoice& ch
     return Obstacle{core::wall_surface(*walls), count, walls->patches};
 }
 
-Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
-                                         const Obstacle& obstacle,
-                                         double time,
-                                         const std::string& field,
-                                         const std::stop_token& stop) {
+Result<core::QuadComplex> flow_beside(const LoadedDataset& dataset,
+                                      const Obstacle& obstacle,
+                                      double time,
+                                      const std::stop_token& stop) {
     const bool masked = dataset.store != nullptr && !dataset.store->mask().empty();
     auto places = core::places_off_wall(obstacle.mesh, *dataset.flow,
                                         masked ? core::mask_distances : core::wall_distances, stop);
     if (!places)
         return tl::unexpected(places.error());
+    const std::size_t count = places->size();
+    std::vector<core::Vec3> sampled_at = *places;
+    std::vector<std::uint8_t> nothing(count, 0);
+    for (std::size_t i = 0; i < count; ++i)
+        if (i >= obstacle.walls || std::isnan(sampled_at[i].x)) {
+            nothing[i] = 1;
+            sampled_at[i] = obstacle.mesh.position[i];
+        }
+    const std::vector<double> times(count, time);
+    std::vector<core::Vec3> velocity(count);
+    if (auto sampled = dataset.flow->sample(sampled_at, times, velocity, stop); !sampled)
+        return tl::unexpected(sampled.error());
+    if (auto marked = dataset.flow->mark_gaps(sampled_at, times, nothing, stop); !marked)
+        return tl::unexpected(marked.error());
     core::QuadComplex beside;
     beside.position = *std::move(places);
-    beside.velocity = obstacle.mesh.velocity;
+    for (std::size_t i = 0; i < count; ++i)
+        beside.velocity.push_back(nothing[i] == 0
+                                      ? core::Vec3f(velocity[i])
+                                      : core::Vec3f(std::numeric_limits<float>::quiet_NaN()));
+    return beside;
+}
+
+Result<std::vector<float>> values_beside(const LoadedDataset& dataset,
+                                         const Obstacle& obstacle,
+                                         double time,
+                                         const std::string& field,
+                                         const std::stop_token& stop) {
+    const auto sampled = flow_beside(dataset, obstacle, time, stop);
+    if (!sampled)
+        return tl::unexpected(sampled.error());
+    const core::QuadComplex& beside = *sampled;
     const std::vector<double> times(beside.position.size(), time);
     auto scalars = surface_scalars(dataset, beside, times, {field}, stop);
     if (!scalars)

@@ -35,6 +35,12 @@ struct PatchChoice {
 /// names that no patch has; what reading reports.
 core::Result<Obstacle> obstacle_of(const LoadedDataset& dataset, const PatchChoice& choice = {});
 
+/// Returns the places beside an obstacle's vertices with the velocity there, both not a number where there is none. Error: as sampling.
+core::Result<core::QuadComplex> flow_beside(const LoadedDataset& dataset,
+                                            const Obstacle& obstacle,
+                                            double time,
+                                            const std::stop_token& stop);
+
 /// Returns a field beside an obstacle's vertices, not a number where there is none. Error: NotFound for fields of surfaces alone, and
 /// as sampling.
 core::Result<std::vector<float>> values_beside(const LoadedDataset& dataset,

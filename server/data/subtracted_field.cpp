@@ -46,8 +46,13 @@ core::Result<NodeField> subtracted_field(const std::string& name,
                     what + " in " + a + " in " + from.name + " and in " + b + " in " + other.name,
                     "only values in the same unit can be subtracted: convert one of the datasets");
     };
-    if (const auto a = unit_of(name, from), b = unit_of(there, other); differ(a, b))
-        return other_units(name + " is", a, b);
+    const bool derived = unit_of(name, from).empty() && unit_of(there, other).empty();
+    if (const auto a = unit_of(derived ? from.velocity : name, from),
+        b = unit_of(derived ? other.velocity : there, other);
+        differ(a, b))
+        return other_units((derived ? "the velocity" : name) + " is", a, b);
+    if (differ(from.time_unit, other.time_unit))
+        return other_units("times are", from.time_unit, other.time_unit);
     if (differ(from.length_unit, other.length_unit))
         return other_units("lengths are", from.length_unit, other.length_unit);
     if (!share_a_place(from.bounds, other.bounds))

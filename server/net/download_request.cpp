@@ -151,21 +151,26 @@ core::Result<ObstacleRequest> read_obstacle(const std::map<std::string, std::str
     constexpr const char* usage = "?time=2.5 adds the velocity along it at that time, &field=p a "
                                   "field as well, patches=all all patches of the boundary, "
                                   "patch=NAME one; there is no other parameter";
+    if (query.contains("patch") && query.contains("patches"))
+        return fail(Error::Code::InvalidArgument, "`patch` and `patches` exclude each other",
+                    "leave one out");
     ObstacleRequest asked;
     for (const auto& [name, value] : query) {
         if (name == "time")
             asked.time = finite_number(value);
         else if (name == "field")
             asked.field = value;
-        else if (name == "patches" && value == "all")
+        else if (name == "patches")
             asked.patches.of = PatchChoice::Of::All;
-        else if (name == "patch" && !query.contains("patches"))
+        else if (name == "patch")
             asked.patches = {PatchChoice::Of::Named, {value}};
         else
             return fail(Error::Code::InvalidArgument,
                         "an obstacle has no parameter `" + name.substr(0, 64) + "`", usage);
         if (name == "time" && !asked.time)
             return fail(Error::Code::InvalidArgument, "`time` is not a finite number", usage);
+        if (name == "patches" && value != "all")
+            return fail(Error::Code::InvalidArgument, "`patches` can be `all` alone", usage);
     }
     if (!asked.field.empty() && !asked.time)
         return fail(Error::Code::InvalidArgument, "`field` needs a `time`", usage);

@@ -222,8 +222,7 @@ void Downloads::obstacle(const HttpRequest& request,
             std::vector<std::string> fields;
             if (!asked.field.empty())
                 fields.push_back(asked.field);
-            return obstacle_file(*loaded, {asked.patches, fields, time.value_or(0.0)}, account,
-                                 share, stop)
+            return obstacle_file(*loaded, {asked.patches, fields, time}, account, share, stop)
                 .map([](ObstacleFile file) { return std::move(file.bytes); });
         },
         request.gone,

@@ -110,7 +110,8 @@ subtracted(const SliceQuery& query, const FieldAtTime& from, const FieldSource& 
         return tl::unexpected(found.error());
     const LoadedDataset& data = **found;
     const store::StoreScalars* const scalars = data.scalars.get();
-    const auto time = time_of(query.minus_time.value_or(from.time), data);
+    // A flow that stands still has a time of its own, whatever is asked for.
+    const auto time = time_of(query.minus_time ? query.minus_time : query.time, data);
     if (!time)
         return tl::unexpected(time.error());
     return subtracted_field(from.name, from.dataset->info, data.info, scalars)

@@ -92,13 +92,19 @@ describe('two pictures side by side', () => {
 
     it('have settings of their own in the panel, of the half that is clicked', async () => {
         await page.getByRole('tab', { name: 'Flow' }).click();
+        const settings = (name: string): Promise<void> => page.getByRole('complementary', { name, exact: true }).waitFor();
         await page.locator('#choose-right').click();
-        await page.getByRole('complementary', { name: 'Settings of the right half' }).waitFor();
+        await settings('Settings of the right half');
+        const pictures = page.locator('canvas[role="img"]');
+        await pictures.first().click({ position: { x: 20, y: 300 } });
+        await settings('Settings');
+        await pictures.last().click({ position: { x: 20, y: 300 } });
+        await settings('Settings of the right half');
         await page.locator('#choose-left').click();
-        await page.getByRole('complementary', { name: 'Settings', exact: true }).waitFor();
+        await settings('Settings');
     });
 
-    it('show other data, and what those cannot have', async () => {
+    it('show other data', async () => {
         await page.locator('#compare-data').selectOption('tornado');
         await page
             .locator('#right-shows')
@@ -108,7 +114,7 @@ describe('two pictures side by side', () => {
         await page.getByRole('button', { name: 'Side by side' }).waitFor();
     }, 120_000);
 
-    it('leave the page as it was, and no session behind', async () => {
+    it('end with their session, and leave one picture', async () => {
         await page.locator('#end-compare').click();
         await page.locator('wakesurf-compare-bar').waitFor({ state: 'detached' });
         expect(await page.locator('canvas[role="img"]').count()).toBe(1);

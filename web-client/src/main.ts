@@ -11,6 +11,7 @@ import { type Half, shownWords } from './session/compare/half.ts';
 import { Calls } from './session/base/calls.ts';
 import { ClockControl } from './session/time/clockControl.ts';
 import { Edits } from './session/edits/edits.ts';
+import { pictureIsCoarse } from './session/out/exportNames.ts';
 import { type BesideFigure, Figure } from './session/out/figure.ts';
 import { FilmMaker } from './session/out/film.ts';
 import { MeshDownload } from './session/out/meshDownload.ts';
@@ -294,6 +295,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
         dispatchWorkerEvent(event, { state, feed, events, controller, server, loginEnded }),
     );
     const end = (): void => {
+        removeEventListener('online', retryNow);
         worker.stop();
         scene.renderer.dispose();
         scene.renderer.forceContextLoss();
@@ -302,7 +304,9 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
 }
 
 function besideOf(left: Half, right: Page | null): BesideFigure | null {
-    return right === null ? null : { figure: right.figure, captions: [shownWords(left), shownWords(right)] };
+    return right === null
+        ? null
+        : { figure: right.figure, captions: [shownWords(left), shownWords(right)], coarse: pictureIsCoarse(right.state) };
 }
 
 function openBeside(options: BesideOptions): Page {

@@ -55,7 +55,7 @@ std::size_t extra_bytes(const protocol::SurfaceRecord& record) {
 }
 
 std::size_t extra_bytes(const protocol::SliceRecord& record) {
-    return record.dataset.size() + record.field.size();
+    return record.dataset.size() + record.field.size() + (record.minus ? record.minus->size() : 0);
 }
 
 std::size_t extra_bytes(const protocol::LinesRecord& record) {

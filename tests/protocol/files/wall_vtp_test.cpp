@@ -22,7 +22,9 @@ TEST(WallVtp, HasPatchesByNameAndAValueAPoint) {
               std::string::npos)
         << "names cannot break the file";
     EXPECT_NE(text.find("Name=\"Patch\""), std::string::npos);
-    EXPECT_EQ(wall_vtp(mesh, {}, {}, 0).find("Patch"), std::string::npos);
+    const std::string shape = wall_vtp(mesh, {}, {}, {});
+    EXPECT_EQ(shape.find("Patch"), std::string::npos);
+    EXPECT_EQ(shape.find("TimeValue"), std::string::npos);
 }
 
 } // namespace

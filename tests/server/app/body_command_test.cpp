@@ -26,11 +26,13 @@ ChildOutcome run(std::vector<std::string> arguments) {
 TEST(BodyCommand, WritesTheBodyWithTheValuesBesideIt) {
     const tests::TemporaryFolder folder;
     const std::string file = (folder / "a.vtp").string();
-    const auto outcome = run({"flow:sphere", "--fields", "velocity,vorticity", "-o", file});
+    const auto outcome =
+        run({"flow:sphere", "--fields", "velocity_x,velocity,vorticity", "-o", file});
     EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
     std::ifstream stream(file);
     const std::string text(std::istreambuf_iterator<char>(stream), {});
     EXPECT_NE(text.find("Name=\"velocity\" NumberOfComponents=\"3\""), std::string::npos);
+    EXPECT_NE(text.find("Name=\"velocity_x\""), std::string::npos);
     EXPECT_NE(text.find("Name=\"vorticity\""), std::string::npos);
     EXPECT_EQ(text.find("PatchNames"), std::string::npos) << "there are no names";
 }

@@ -41,6 +41,13 @@ TEST(SubtractedField, IsRefusedWhereItIsNotThereOrMeansSomethingElse) {
     const core::DatasetInfo a = data("a", "U", "m/s");
     EXPECT_NE(refusal("p", a, data("b", "U", "m/s")).find("in b, "), std::string::npos);
     EXPECT_EQ(refusal("U", a, data("b", "U", "km/h")), "U is in m/s in a and in km/h in b");
+    EXPECT_EQ(refusal("vorticity", a, data("b", "U", "km/h")),
+              "the velocity is in m/s in a and in km/h in b");
+    core::DatasetInfo fast = data("b", "U", "m/s");
+    fast.time_unit = "ms";
+    core::DatasetInfo slow = a;
+    slow.time_unit = "s";
+    EXPECT_EQ(refusal("U", slow, fast), "times are in s in a and in ms in b");
     core::DatasetInfo small = data("b", "U", "m/s");
     small.length_unit = "mm";
     EXPECT_EQ(refusal("U", a, small), "lengths are in m in a and in mm in b");

@@ -78,7 +78,7 @@ export class FlowScene {
     private exactNext = false;
     private sharpNext = false;
     private readonly layers: Layer[] = [];
-    private readonly drawn: ((view: View) => void)[] = [];
+    private drawn: ((view: View) => void)[] = [];
     private readonly afterNextFrame: ((time: number) => void)[] = [];
     private theme: 'dark' | 'light' = 'dark';
     private unit = '';
@@ -207,8 +207,9 @@ export class FlowScene {
     }
 
     /** Called after every frame. */
-    onDraw(listener: (view: View) => void): void {
+    onDraw(listener: (view: View) => void): () => void {
         this.drawn.push(listener);
+        return () => (this.drawn = this.drawn.filter((each) => each !== listener));
     }
 
     setDomain(bounds: Bounds): void {

@@ -91,6 +91,7 @@ export class OpenDataset {
             const geometry = await this.options.worker.obstacle(dataset, lattice, allPatches);
             const stillShown = this.options.state.dataset.value?.dataset === dataset;
             if (geometry !== null && stillShown && allPatches === this.allPatches.peek()) {
+                this.options.state.allPatchesShown.value = allPatches;
                 this.options.scene.setObstacle(geometry);
             }
         } catch (error) {

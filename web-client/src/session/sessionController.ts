@@ -165,9 +165,10 @@ export class SessionController {
             const prepared = await this.options.prepare?.(joined.snapshot);
             if (prepared === true) joined = await this.sessionJoin.enter(joined.snapshot.session);
             const { snapshot } = joined;
-            const mayFill = state.role.value !== 'viewer' && url.beside !== true;
+            const mayMake = state.role.value !== 'viewer';
+            const mayFill = mayMake && url.beside !== true;
             const newLife = joined.resumeToken !== before;
-            if (this.lost === null && newLife && mayFill && isEmpty(snapshot)) await this.look(snapshot.session);
+            if (this.lost === null && newLife && mayMake && isEmpty(snapshot)) await this.look(snapshot.session);
             if (this.lost === null) this.adopt(snapshot);
             const entry = await dataset.wait(this.datasetOf(snapshot), gone);
             if (entry === null || gone()) return;
@@ -255,9 +256,14 @@ export class SessionController {
 
     private datasetOf(snapshot: SessionSnapshot): string | null {
         const { state, url } = this.options;
-        const linked = url.dataset ?? url.state?.surfaces[0]?.dataset ?? null;
-        const [first] = [snapshot.surfaces, snapshot.slices, snapshot.lines].flat();
-        return first?.dataset ?? state.dataset.value?.dataset ?? linked;
+        const firstOf = ({
+            surfaces,
+            slices,
+            lines,
+        }: Pick<SessionSnapshot, 'surfaces' | 'slices' | 'lines'>): string | undefined =>
+            [surfaces, slices, lines].flat()[0]?.dataset;
+        const linked = url.dataset ?? (url.state === null ? undefined : firstOf(url.state)) ?? null;
+        return firstOf(snapshot) ?? state.dataset.value?.dataset ?? linked;
     }
 
     /** The address asks for a dataset, and the session shows another. */

@@ -86,6 +86,8 @@ export class AppState {
     readonly capabilities = signal<readonly string[]>([]);
     /** All that the server has. */
     readonly datasets = signal<readonly DatasetEntry[]>([]);
+    /** The picture has what of the boundary is no part of the body, too. */
+    readonly allPatchesShown = signal(false);
     readonly datasetEntry = signal<DatasetEntry | null>(null);
     readonly dataset = signal<DatasetDescription | null>(null);
     readonly rakes = signal<ReadonlyMap<string, RakeRecord>>(new Map());

@@ -32,16 +32,20 @@ describe('patches of the boundary', () => {
 
 describe('cells that are not seen', () => {
     it('are none of a body that is shown whole', () => {
-        expect(hiddenCells(dataset, look())).toEqual([]);
-        expect(hiddenCells({ obstacle: true }, look('hull'))).toEqual([]);
+        expect(hiddenCells(dataset, look(), false)).toEqual([]);
+        expect(hiddenCells({ obstacle: true }, look('hull'), false)).toEqual([]);
     });
     it('are those of a hidden wall, with what closes the body', () => {
-        expect(hiddenCells(dataset, look('ground'))).toEqual([
+        expect(hiddenCells(dataset, look('ground'), false)).toEqual([
             [10, 15],
             [15, Infinity],
         ]);
     });
     it('are also those of sides that are fetched with another one', () => {
-        expect(hiddenCells(dataset, look('inlet (other)'))).toEqual([[15, 22]]);
+        expect(hiddenCells(dataset, look('inlet (other)'), true)).toEqual([[15, 22]]);
+    });
+    it('are also those of all sides and inlets that are in the picture until the body alone has come', () => {
+        const hidden = hiddenCells(dataset, look(), true);
+        expect(hidden.some(([from, to]) => from <= 15 && to >= 22) || hidden.length > 1).toBe(true);
     });
 });

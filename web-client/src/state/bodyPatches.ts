@@ -29,10 +29,11 @@ export function showsBeyondBody(dataset: Described, look: Pick<BodyLook, 'patche
 /** From one cell to before another. */
 export type CellSpan = readonly [number, number];
 
-/** Cells of the body that are not seen, if it has been fetched as these settings ask for. What closes it at the sides of the domain comes
- *  last, and goes with any of its walls. */
-export function hiddenCells(dataset: Described, look: Pick<BodyLook, 'patches'>): CellSpan[] {
-    const all = showsBeyondBody(dataset, look);
+/**
+ * Cells of the body that are not seen. What closes it at the sides of the domain comes last, and goes with any of its walls.
+ * @param all  what is no part of the body is in the picture, too
+ */
+export function hiddenCells(dataset: Described, look: Pick<BodyLook, 'patches'>, all: boolean): CellSpan[] {
     const hidden: CellSpan[] = [];
     let at = 0;
     let closed = true;

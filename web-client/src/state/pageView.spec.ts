@@ -103,6 +103,8 @@ describe('clip planes', () => {
         expect([isCut(at(false), beyond, slice), isCut(at(false), before, slice)]).toEqual([true, false]);
         expect([isCut(at(true), beyond, slice), isCut(at(true), before, slice)]).toEqual([false, true]);
         expect(isCut(at(false), beyond, null)).toBe(false);
+        const long: SlicePlane = { origin: [0, 0, 3], normal: [0, 0, 2] };
+        expect(planeNumbers(at(false), bounds, long).at(-1)).toEqual([0, 0, 1, 3]);
     });
 
     it('follow their slice to its new name, and go with it', () => {

@@ -245,7 +245,7 @@ export function planeNumbers(
     });
     if (slice === null || cutting === null) return along;
     const { origin, normal } = cutting;
-    const side = slice.flipped ? -1 : 1;
+    const side = (slice.flipped ? -1 : 1) / Math.hypot(...normal); // a Plane of three wants a unit
     const [x, y, z] = normal.map((each) => side * each);
     return [...along, [x!, y!, z!, x! * origin[0] + y! * origin[1] + z! * origin[2]]];
 }

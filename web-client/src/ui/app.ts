@@ -418,7 +418,7 @@ export class App extends SignalElement {
             ...(right === null ? [] : ['comparing']),
         ];
         return html`<button type="button" class="skip" @click=${this.skipToTime}>Skip to the time controls</button>
-            <div class=${classes.join(' ')} @number-typed=${this.numberTyped} @click=${this.clicked}>
+            <div class=${classes.join(' ')} @number-typed=${this.numberTyped} @click=${this.clicked} @pointerdown=${(event: Event) => right !== null && event.composedPath().includes(right.app) && comparison.choose('right')}>
             ${bar === null ? nothing : html`<wakesurf-compare-bar role="region" aria-label="Comparison" .model=${bar}></wakesurf-compare-bar>`}
             <main @pointerdown=${() => comparison.choose('left')}>
                 ${this.canvas} ${this.labels}

@@ -57,7 +57,7 @@ export class CameraControls {
     private readonly perspective = new PerspectiveCamera(30, 1, 0.01, 1000);
     private readonly parallel = new OrthographicCamera(-1, 1, 1, -1, 0.01, 1000);
     private readonly orbit: FineOrbit;
-    private readonly moved: (() => void)[] = [];
+    private moved: (() => void)[] = [];
     private readonly onTurn: () => void;
     private bounds: Bounds = [-1, 1, -1, 1, -1, 1];
     private orthographic = false;
@@ -125,8 +125,9 @@ export class CameraControls {
     }
 
     /** Called when the camera has been moved, but for `follow`. */
-    onMove(listener: () => void): void {
+    onMove(listener: () => void): () => void {
         this.moved.push(listener);
+        return () => (this.moved = this.moved.filter((each) => each !== listener));
     }
 
     /** Of what is drawn next, on the page or aside. */

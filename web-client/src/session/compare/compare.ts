@@ -46,6 +46,8 @@ export class Compare<Page extends Beside> {
     readonly rakesTogether = signal(true);
     private readonly options: CompareOptions<Page>;
     private unlink: (() => void) | null = null;
+    /** The session of the right half, which goes with it. */
+    private copy: string | null = null;
 
     constructor(options: CompareOptions<Page>) {
         this.options = options;
@@ -63,22 +65,30 @@ export class Compare<Page extends Beside> {
         await this.end();
         const { calls, open } = this.options;
         const copy = await calls.try('session.fork', { name: fitting(this.left.state.sessionName.value, ' (compared)') });
-        if (copy !== null) {
+        try {
+            if (copy === null) return;
             const right = open({ url: this.addressOf(copy, dataset), prepare: (snapshot) => this.prepare(snapshot, dataset) });
+            this.copy = copy.session;
             batch(() => {
                 this.right.value = right;
                 this.dataset.value = dataset;
             });
             this.linkOnceThere(right);
+        } catch (error) {
+            this.left.state.notices.tell('compared', error);
+            if (copy !== null) await calls.try('session.delete', { session: copy.session, forever: false });
+        } finally {
+            this.busy.value = false;
         }
-        this.busy.value = false;
     }
 
     /** @param leaving the page goes, and with it what would hear of an answer */
     async end(leaving = false): Promise<void> {
         const right = this.right.value;
         if (right === null) return;
-        const session = right.state.session.value;
+        // One that was made again has another name.
+        const session = right.state.session.value ?? this.copy;
+        this.copy = null;
         this.unlink?.();
         this.unlink = null;
         this.right.value = null;
@@ -111,19 +121,22 @@ export class Compare<Page extends Beside> {
     private async prepare(snapshot: SessionSnapshot, dataset: string): Promise<boolean> {
         const right = this.right.value;
         const all = [snapshot.surfaces, snapshot.slices, snapshot.lines].flat();
-        if (right === null || all.every((each) => each.dataset === dataset)) return false;
+        const same = dataset === this.left.state.dataset.value?.dataset;
+        if (right === null || same || all.every((each) => each.dataset === dataset)) return false;
         const missing = await showOtherData(right.worker, snapshot, dataset);
         if (missing !== null) right.state.notices.say('compared', missing);
         return true;
     }
 
-    /** Its camera goes where it likes before. */
+    /** Once it has the view that it began with, which is that of the left half no more. */
     private linkOnceThere(right: Page): void {
         const { time, rakesTogether } = this;
         const stop = right.state.stage.subscribe((stage) => {
-            if (stage !== 'running' || this.right.value !== right) return;
-            this.unlink ??= linkHalves(this.left, right, { time, rakesTogether });
-            queueMicrotask(() => stop());
+            if (stage !== 'running') return;
+            queueMicrotask(() => {
+                stop();
+                if (this.right.value === right) this.unlink ??= linkHalves(this.left, right, { time, rakesTogether });
+            });
         });
     }
 }

@@ -39,11 +39,14 @@ class FakeHalf implements Half {
     constructor() {
         this.state.stage.value = 'running';
         this.scene = {
-            onDraw: () => undefined,
+            onDraw: () => () => undefined,
             loop: { request: () => undefined },
             controls: {
                 pose: this.pose,
-                onMove: (listener: () => void) => void (this.moved = listener),
+                onMove: (listener: () => void) => {
+                    this.moved = listener;
+                    return () => (this.moved = () => undefined);
+                },
                 follow: (pose: CameraPose) => {
                     ++this.followed;
                     this.scene.controls = { ...this.scene.controls, pose };
@@ -133,6 +136,24 @@ it('moves rakes together unless that is unticked, and chooses in both what is th
     expect(right.state.activeSurface.value).toBe('s1');
     left.state.activeSurface.value = 's2';
     expect(right.state.activeSurface.value, 'which the copy does not have').toBe('s1');
+});
+
+it('moves no rake of a session that one may only look at', () => {
+    left.state.role.value = 'viewer';
+    right.edits.onRake?.('r1', { seeds: 7 });
+    expect(left.rakes).toEqual([]);
+});
+
+it('hides the same in both, and shows everything of what does not have the thing that is shown alone', () => {
+    left.add('s1', 0, 1);
+    right.add('s1', 0, 1);
+    left.add('s2', 0, 1);
+    left.view.changeVisibility({ only: 's1', hidden: new Set(['p1']) });
+    expect(right.view.visibility.value).toMatchObject({ only: 's1', hidden: new Set(['p1']) });
+    left.view.changeVisibility({ only: 's2' });
+    expect([left.view.visibility.value.only, right.view.visibility.value.only]).toEqual(['s2', null]);
+    right.view.changeVisibility({ only: null, hidden: new Set() });
+    expect(left.view.visibility.value).toMatchObject({ only: null, hidden: new Set() });
 });
 
 it('lends the tools that look to both, and those that write to neither', () => {

@@ -2,7 +2,9 @@
 // where they are to move together. Ids of records are the same in both, since one is a copy of the other.
 import { effect, type ReadonlySignal, type Signal, untracked } from '@preact/signals-core';
 import type { CameraPose } from '../../scene/camera/cameraControls.ts';
+import { chosenRake, type Visibility } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
+import { thingsThere } from '../picture/chosenThings.ts';
 import { automaticRanges } from '../picture/surfaceStyleOf.ts';
 import { type OtherTime, otherTime } from '../time/otherTime.ts';
 import type { Half } from './half.ts';
@@ -13,7 +15,7 @@ const looks = [
     'body',
     'slices',
     'lines',
-    'visibility',
+    'orthographic',
     'theme',
     'contactShade',
     'exactWhenStill',
@@ -30,6 +32,7 @@ export function linkHalves(left: Half, right: Half, { time, rakesTogether }: Lin
     const ends = [
         linkCameras(left, right),
         ...looks.flatMap((name) => same(left.view[name] as Signal<unknown>, right.view[name] as Signal<unknown>)),
+        ...showAlone(left, right),
         chooseToo(left, right),
         chooseToo(right, left),
         effect(() => {
@@ -52,8 +55,8 @@ export function linkHalves(left: Half, right: Half, { time, rakesTogether }: Lin
         }),
         effect(() => {
             const together = rakesTogether.value;
-            left.edits.onRake = together ? (rake, change) => right.edits.followRake(rake, change) : null;
-            right.edits.onRake = together ? (rake, change) => left.edits.followRake(rake, change) : null;
+            left.edits.onRake = together ? moves(right) : null;
+            right.edits.onRake = together ? moves(left) : null;
         }),
     ];
     left.colours.join(right.colours);
@@ -62,6 +65,7 @@ export function linkHalves(left: Half, right: Half, { time, rakesTogether }: Lin
         for (const end of ends) end();
         left.view.rangesBeside.value = new Map();
         left.colours.join(null);
+        right.colours.join(null);
         left.edits.onRake = null;
     };
 }
@@ -76,6 +80,32 @@ function same<T>(a: Signal<T>, b: Signal<T>): (() => void)[] {
             a.value = b.value;
         }),
     ];
+}
+
+/** What is hidden, and shown alone: of what the other half does not have it shows everything rather than nothing. */
+function showAlone(left: Half, right: Half): (() => void)[] {
+    const told = new Set<Visibility>();
+    const lead = (from: Half, to: Half): (() => void) =>
+        effect(() => {
+            const visibility = from.view.visibility.value;
+            if (told.delete(visibility)) return;
+            untracked(() => {
+                const { only } = visibility;
+                const has = only === null || only === chosenRake || thingsThere(to.state).has(only);
+                const shown = has ? visibility : { ...visibility, only: null };
+                if (shown === to.view.visibility.value) return;
+                told.add(shown);
+                to.view.visibility.value = shown;
+            });
+        });
+    return [lead(left, right), lead(right, left)];
+}
+
+/** A half of which one may only look at the session does not follow. */
+function moves(half: Half): NonNullable<Half['edits']['onRake']> {
+    return (rake, change) => {
+        if (!half.state.locked.value) half.edits.followRake(rake, change);
+    };
 }
 
 /** What is chosen in one is chosen in the other, where it is there. */
@@ -95,22 +125,19 @@ function chooseToo(from: Half, to: Half): () => void {
 const sameView = 1e-6;
 
 function linkCameras(left: Half, right: Half): () => void {
-    let linked = true;
     const lead = (from: Half, to: Half) => (): void => {
-        if (!linked || agree(from.scene.controls.pose, to.scene.controls.pose)) return;
+        if (agree(from.scene.controls.pose, to.scene.controls.pose)) return;
         to.scene.controls.follow(from.scene.controls.pose);
         to.scene.loop.request();
     };
-    for (const [from, to] of [
-        [left, right],
-        [right, left],
-    ] as const) {
-        from.scene.controls.onMove(lead(from, to));
-    }
-    // Also where it follows someone, of which it does not tell as of a movement.
-    left.scene.onDraw(lead(left, right));
+    const ends = [
+        left.scene.controls.onMove(lead(left, right)),
+        right.scene.controls.onMove(lead(right, left)),
+        // Also where it follows someone, of which it does not tell as of a movement.
+        left.scene.onDraw(lead(left, right)),
+    ];
     lead(left, right)();
-    return () => (linked = false);
+    return () => ends.forEach((end) => end());
 }
 
 function agree(a: CameraPose, b: CameraPose): boolean {

@@ -9,12 +9,15 @@ import type { AppState } from '../../state/appState.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { attributesOf } from '../picture/surfaceStyleOf.ts';
 import { clampTo, type Span } from '../time/timeSteps.ts';
+import { coarseCaption } from './exportNames.ts';
 import { type RecipeSource, shownRecipes } from './recipes.ts';
 
 /** What is beside a picture, and what each of them shows, in words. */
 export interface BesideFigure {
     figure: Figure;
     captions: readonly [string, string];
+    /** Not final. */
+    coarse: boolean;
 }
 
 export class Figure {
@@ -55,23 +58,31 @@ export class Figure {
     get shownSize(): ScreenSize {
         const ratio = Math.max(1, devicePixelRatio);
         const { width, height } = this.scene.size;
-        const halves = this.beside() === null ? 1 : 2;
-        return { width: halves * Math.round(width * ratio), height: Math.round(height * ratio) };
+        return { width: Math.round(width * ratio), height: Math.round(height * ratio) };
     }
 
-    /** As `draw`, with what is beside it, drawn as this one is. */
-    drawBoth(size: ScreenSize, caption: string | null): HTMLCanvasElement {
+    /** With what is beside it. */
+    get sizeOfBoth(): ScreenSize {
+        const { width, height } = this.shownSize;
+        return { width: width * (this.beside() === null ? 1 : 2), height };
+    }
+
+    /** As `draw`, with what is beside it, drawn as this one is. @param coarse  this one is not final */
+    drawBoth(size: ScreenSize, coarse: boolean): HTMLCanvasElement {
         const right = this.beside();
-        if (right === null) return this.draw(size, caption);
+        const captionOf = (isCoarse: boolean): string => (isCoarse && this.coarse.value ? coarseCaption : '');
+        if (right === null) return this.draw(size, captionOf(coarse) || null);
         const all = document.createElement('canvas');
         Object.assign(all, size);
         const context = all.getContext('2d');
         if (context === null) throw new Error('This browser does not have enough memory for a picture of this size.');
         const width = Math.floor(size.width / 2);
-        const captionOf = (side: 0 | 1): string => [right.captions[side], caption ?? ''].filter((each) => each !== '').join(', ');
-        const left = this.draw({ width, height: size.height }, captionOf(0));
+        const [first, second] = [coarse, right.coarse].map((isCoarse, side) =>
+            [right.captions[side], captionOf(isCoarse)].filter((each) => each !== '').join(', '),
+        ) as [string, string];
+        const left = this.draw({ width, height: size.height }, first);
         context.drawImage(left, 0, 0);
-        const other = right.figure.drawAs(this, { width: size.width - width, height: size.height }, captionOf(1));
+        const other = right.figure.drawAs(this, { width: size.width - width, height: size.height }, second);
         context.drawImage(other, width, 0);
         this.barLeftOut ||= right.figure.barLeftOut;
         return all;

@@ -8,9 +8,20 @@ import { bodyId, chosenRake, opacityOf, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 
 export interface ChosenThingsOptions {
-    state: Pick<AppState, 'activeRake' | 'activeSurface' | 'dataset' | 'lines' | 'rakes' | 'slices' | 'stage' | 'surfaces'>;
+    state: Pick<
+        AppState,
+        'activeRake' | 'activeSurface' | 'allPatchesShown' | 'dataset' | 'lines' | 'rakes' | 'slices' | 'stage' | 'surfaces'
+    >;
     view: Pick<ViewState, 'body' | 'changeVisibility' | 'chosenThing' | 'visibility'>;
     scene: { body: Pick<FlowScene['body'], 'setHidden' | 'setOpacity'>; loop: Pick<FlowScene['loop'], 'request'> };
+}
+
+/** Returns the ids of what can be chosen and shown alone. */
+export function thingsThere(state: Pick<AppState, 'dataset' | 'lines' | 'rakes' | 'slices' | 'surfaces'>): Set<string> {
+    const { rakes, surfaces, slices, lines } = state;
+    const there = new Set([rakes, surfaces, slices, lines].flatMap(({ value }) => [...value.keys()]));
+    if (hasBoundary(state.dataset.value)) there.add(bodyId);
+    return there;
 }
 
 /** For as long as the page lives. */
@@ -25,15 +36,13 @@ export function connectChosenThings({ state, view, scene }: ChosenThingsOptions)
         scene.loop.request();
     });
     effect(() => {
-        scene.body.setHidden(hiddenCells(state.dataset.value, view.body.value));
+        scene.body.setHidden(hiddenCells(state.dataset.value, view.body.value, state.allPatchesShown.value));
         scene.loop.request();
     });
     // Only what was there can be gone: a link is read before the records are here.
     const seen = new Set<string>();
     effect(() => {
-        const { rakes, surfaces, slices, lines } = state;
-        const there = new Set([rakes, surfaces, slices, lines].flatMap(({ value }) => [...value.keys()]));
-        if (hasBoundary(state.dataset.value)) there.add(bodyId);
+        const there = thingsThere(state);
         const isGone = (id: string | null): boolean => id !== null && seen.has(id) && !there.has(id);
         for (const id of there) seen.add(id);
         if (isGone(view.chosenThing.value)) view.chosenThing.value = null;

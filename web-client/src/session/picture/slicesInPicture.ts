@@ -55,8 +55,7 @@ export class Slices {
     /** As they are drawn: as records say, or as this page edits them. */
     readonly places: ReadonlySignal<ReadonlyMap<string, SlicePlace>>;
     readonly meanings: ReadonlySignal<ReadonlyMap<string, FieldMeaning>>;
-    /** Of what is seen of one: an area, and the mean over it. */
-    readonly numbers = signal<ReadonlyMap<string, { area: number; mean: number }>>(new Map());
+    private readonly numbers = signal<ReadonlyMap<string, { area: number; mean: number; key: string }>>(new Map());
     /** Why nothing is seen of one. */
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there, or not as fine as the screen. */
@@ -141,6 +140,12 @@ export class Slices {
         this.drafts.change(id, change);
         const place = this.places.value.get(id);
         if (place !== undefined) this.changedAt.set(keyOf(id, place), performance.now());
+    }
+
+    /** Of what is seen of one, an area and the mean over it; null: that is not known yet, or nothing is seen. */
+    numbersOf(id: string): { area: number; mean: number } | null {
+        const [numbers, place] = [this.numbers.value.get(id), this.places.value.get(id)];
+        return numbers !== undefined && place !== undefined && numbers.key === shownKey(id, place, place) ? numbers : null;
     }
 
     remove(id: string): Promise<void> {
@@ -234,7 +239,8 @@ export class Slices {
         this.measure(keyOf(id, wish));
         const lacks = raster.inFlow === 0 ? 'This plane meets only bodies.' : `${field} has no values here at this time.`;
         putInto(this.faults, id, usual === null ? lacks : null);
-        putInto(this.numbers, id, sliceNumbers(raster));
+        const numbers = sliceNumbers(raster);
+        putInto(this.numbers, id, numbers === null ? null : { ...numbers, key: shownKey(id, wish, this.places.peek().get(id)) });
     }
 
     private nameOf(dataset: string): string {
@@ -271,6 +277,10 @@ function meets(bounds: readonly number[], origin: Vec3, normal: Vec3): boolean {
 
 function keyOf(id: string, { origin, normal, field }: Pick<SlicePlace, 'origin' | 'normal' | 'field'>): string {
     return JSON.stringify([id, origin, normal, field]);
+}
+
+function shownKey(id: string, at: Pick<SlicePlace, 'origin' | 'normal' | 'field'>, place: SlicePlace | undefined): string {
+    return keyOf(id, at) + JSON.stringify(place?.minus ?? null);
 }
 
 /** Without what the server alone writes. */

@@ -72,6 +72,9 @@ describe('a state in a link', () => {
         const back = decodeLinkState(encodeLinkState({ view: {}, slices: [slice], lines: [lines] }));
         expect(back.slices).toEqual([{ ...slice, rev: 0 }]);
         expect(back.lines).toEqual([{ ...lines, rev: 0 }]);
+        const many = Array.from({ length: 60 }, () => lines);
+        const fewer = decodeLinkState(encodeLinkState({ view: {}, surfaces: [surface], lines: many }));
+        expect([fewer.surfaces.length, fewer.lines.length]).toEqual([1, 0]);
     });
 
     it('that an older version made goes back in time as it did then', () => {

@@ -83,7 +83,7 @@ export interface LinkState {
     lines: LinesRecord[];
 }
 
-/** Longer addresses are cut by mail programs and chats; the records are left out then. */
+/** Longer addresses are cut by mail programs and chats; slices and streamlines are left out then, or all records. */
 const longestJson = 4500;
 /** The number of significant digits below one; of other numbers, after the point. */
 const digits = 6;
@@ -91,8 +91,9 @@ const digits = 6;
 /** Records that are left out: there are none. */
 export function encodeLinkState({ view, rakes = [], surfaces = [], slices = [], lines = [] }: Partial<LinkState>): string {
     const beside = { ...(slices.length > 0 && { p: slices.map(saved) }), ...(lines.length > 0 && { l: lines.map(saved) }) };
-    const whole = jsonOf({ v: view, r: rakes.map(savedRake), s: surfaces.map(saved), ...beside });
-    return base64Of(whole.length <= longestJson ? whole : jsonOf({ v: view }));
+    const fewer = { v: view, r: rakes.map(savedRake), s: surfaces.map(saved) };
+    const fits = [{ ...fewer, ...beside }, fewer].map(jsonOf).find((each) => each.length <= longestJson);
+    return base64Of(fits ?? jsonOf({ v: view }));
 }
 
 /** Returns what can be read of it; never throws. */

@@ -12,7 +12,7 @@ import { Views, type ViewsOptions } from './views.ts';
 function sceneWith(surfaces: Partial<ViewsOptions['scene']['surfaces']>): ViewsOptions['scene'] {
     const still = (): void => undefined;
     return {
-        onDraw: still,
+        onDraw: () => still,
         loop: { request: still },
         controls: { pose: { position: [0, 0, 1], target: [0, 0, 0], orthographic: false }, place: still },
         surfaces: { strokes: 0, maskCode: () => undefined, setMask: still, forgetMasks: still, ...surfaces },

@@ -58,6 +58,7 @@ export class Views {
         effect(() => {
             // Whatever of these changes, the address does.
             void [state.session.value, state.rakes.value, state.surfaces.value, state.activeSurface.value];
+            void [state.slices.value, state.lines.value];
             void [view.looks.value, view.clip.value, view.body.value, view.slices.value, view.lines.value, view.visibility.value];
             this.changed();
         });

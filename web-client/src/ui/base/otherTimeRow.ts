@@ -12,6 +12,8 @@ const kinds = [
 export interface OtherTimeRow {
     id: string;
     words: string;
+    /** Left out: it may be the same time. */
+    maySame?: boolean;
     chosen: OtherTime;
     /** What it begins with where a number is chosen. */
     first: { by: number; time: number };
@@ -19,12 +21,12 @@ export interface OtherTimeRow {
     change: (chosen: OtherTime) => void;
 }
 
-export function otherTimeRow({ id, words, chosen, first, written, change }: OtherTimeRow): TemplateResult {
+export function otherTimeRow({ id, words, maySame = true, chosen, first, written, change }: OtherTimeRow): TemplateResult {
     const choose = (kind: OtherTime['kind']): void => {
         change(kind === 'offset' ? { kind, by: first.by } : kind === 'at' ? { kind, time: first.time } : { kind });
     };
     const number = chosen.kind === 'offset' ? chosen.by : chosen.kind === 'at' ? chosen.time : null;
-    return html`${selectRow(id, words, kinds, chosen.kind, choose)}
+    return html`${selectRow(id, words, kinds.slice(maySame ? 0 : 1), chosen.kind, choose)}
     ${
         number === null
             ? nothing

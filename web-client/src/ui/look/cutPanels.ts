@@ -45,11 +45,15 @@ export class ClipPanel extends ModelElement<ClipModel> {
 
     override render(): TemplateResult {
         const { view } = this.model;
-        const { planes, body } = view.clip.value;
+        const { planes, slice, body } = view.clip.value;
         return html`
             ${axes.map((axis, i) => this.plane(axis, i, planes[i]!))}
             ${checkRow('Cut the body too', body, (on) => this.change({ body: on }), { id: 'clip-body' })}
-            <p class="quiet">Planes cut all surfaces in the picture. A slice can cut them at any angle: choose it under "In the picture".</p>
+            <p class="quiet">
+                Planes cut all surfaces in the picture. A slice can cut them at any angle: choose it under "In the picture".
+                ${slice === null ? nothing : 'One cuts now.'}
+                ${slice === null ? nothing : html`<button id="clip-no-slice" type="button" @click=${() => this.change({ slice: null })}>Cut at no slice</button>`}
+            </p>
         `;
     }
 

@@ -4,7 +4,7 @@ import { type Signal, signal } from '@preact/signals-core';
 import { html, nothing, type TemplateResult } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { type FigureBackground, sizeFault } from '../../scene/capture.ts';
-import { coarseCaption, pictureIsCoarse, timeInName } from '../../session/out/exportNames.ts';
+import { pictureIsCoarse, timeInName } from '../../session/out/exportNames.ts';
 import type { Figure } from '../../session/out/figure.ts';
 import { type FilmMaker, type FilmProgress, maxFrames, frameTimes } from '../../session/out/film.ts';
 import type { FilmFormat } from '../../session/out/filmFile.ts';
@@ -51,13 +51,13 @@ export class PictureExport extends ModelElement<PictureExportModel> {
     override render(): TemplateResult {
         const { figure, state, view } = this.model;
         return html`
-            ${pictureSize.render(figure.shownSize)}
+            ${pictureSize.render(figure.sizeOfBoth)}
             ${selectRow('background', 'Background', backgrounds, figure.background.value, (chosen) => (figure.background.value = chosen))}
             <div class="checks">
                 ${this.check('Scalar bar', figure.bar)} ${this.check('Box and axes', figure.axes)}
                 ${this.check('Length scale', figure.scale)} ${this.check('Rake', figure.rake)}
                 ${this.check('Notes and marks', figure.marks)}
-                ${pictureIsCoarse(state) ? this.check('Say that it is coarse', figure.coarse) : nothing}
+                ${pictureIsCoarse(state) || figure.beside()?.coarse === true ? this.check('Say that it is coarse', figure.coarse) : nothing}
             </div>
             <div class="row">
                 <label for="figure-text">Text</label>
@@ -82,12 +82,12 @@ export class PictureExport extends ModelElement<PictureExportModel> {
 
     private async save(): Promise<void> {
         const { figure, state } = this.model;
-        const size = pictureSize.size(figure.shownSize);
+        const size = pictureSize.size(figure.sizeOfBoth);
         this.fault.value = sizeFault(size) ?? '';
         if (this.fault.value !== '') return;
         try {
-            const coarse = pictureIsCoarse(state);
-            const picture = figure.drawBoth(size, coarse && figure.coarse.value ? coarseCaption : null);
+            const coarse = pictureIsCoarse(state) || figure.beside()?.coarse === true;
+            const picture = figure.drawBoth(size, pictureIsCoarse(state));
             const recipes = await figure.recipes();
             const drawn = await new Promise<Blob | null>((resolve) => picture.toBlob(resolve, 'image/png'));
             if (drawn === null) throw new Error('This browser does not have enough memory for a picture of this size.');

@@ -117,7 +117,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
         const at = dot(origin, along);
         const resolution = resolutionOf(low, high);
         const fault = slices.faults.value.get(id);
-        const numbers = slices.numbers.value.get(id);
+        const numbers = slices.numbersOf(id);
         return html`
             ${fault === undefined ? nothing : html`<p role="status" id="slice-fault">${fault}</p>`}
             ${
@@ -162,7 +162,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
             })}
             ${checkRow('Arrows of the flow in the plane', look.arrows, (arrows) => (view.slices.value = { ...look, arrows }), { id: 'slice-arrows' })}
             ${this.cutting(id)}
-            ${numbers === undefined ? nothing : html`<p class="quiet" id="slice-numbers">${numberWords(numbers, place, dataset, view.units.value)}</p>`}
+            ${numbers === null ? nothing : html`<p class="quiet" id="slice-numbers">${numberWords(numbers, place, dataset, view.units.value)}</p>`}
             ${look.arrows && longest !== undefined ? html`<p class="quiet">${arrowWords(longest, dataset)}</p>` : nothing}
         `;
     }
@@ -211,7 +211,8 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
                 ? nothing
                 : otherTimeRow({
                       ...{ id: 'slice-minus-time', words: 'Its time', chosen: minus.time },
-                      first: { by: -step, time: time() },
+                      // Its own at the same time would be nothing.
+                      ...{ maySame: minus.dataset !== null, first: { by: -step, time: time() } },
                       written: (number) => timeField(state, number),
                       change: (chosen) => change({ ...minus, time: chosen }),
                   })
@@ -238,15 +239,12 @@ function numberWords(
     { length, time }: Units,
 ): string {
     const short = (value: number): string => shortNumber(Number(value.toPrecision(3)));
-    const power = (unit: string, of: string): string => (unit === '' ? '' : unit + of);
-    const stored = field.startsWith('velocity_') ? velocity : field;
-    const unit = fields.find(({ name }) => name === stored)?.unit ?? '';
-    const said = `Mean ${withUnit(short(mean), unit)} over ${withUnit(short(area), power(length, '²'))}.`;
-    const axis = axes.findIndex(
-        ([name, along]) => field === `velocity_${name}` && Math.abs(dot(unitOf(normal), along)) > 1 - 1e-12,
-    );
-    if (axis < 0 || minus !== null) return said;
-    const rate = length === '' || time === '' ? '' : `${length}³/${time}`;
+    const axis = axes.findIndex(([name]) => field === `velocity_${name}`);
+    const unit = fields.find(({ name }) => name === (axis < 0 ? field : velocity))?.unit ?? '';
+    const said = `Mean ${withUnit(short(mean), unit)} over ${withUnit(short(area), length === '' ? '' : `${length}²`)}.`;
+    const isAcross = axis >= 0 && Math.abs(dot(unitOf(normal), axes[axis]![1])) > 1 - 1e-12;
+    if (!isAcross || minus !== null) return said;
+    const rate = unit !== '' && unit === `${length}/${time}` ? `${length}³/${time}` : '';
     return `${said} ${withUnit(short(mean * area), rate)} flow through it in the direction of ${axes[axis]![0]}.`;
 }
 
