@@ -79,6 +79,10 @@ core::Result<store::StoreManifest> describe_store(const ImportPlan& plan,
     info.time_unit = source.time_unit;
     info.steady = plan.times.size() == 1;
     info.fields = plan.fields;
+    const core::FieldInfo& velocity = plan.choice.velocity.arrays.front();
+    for (core::FieldInfo& field : info.fields)
+        if (field.name != velocity.name || field.source != velocity.source)
+            field.name = told_apart(field, plan.fields);
     add_velocity(plan, info.fields);
     for (const ChosenScalar& scalar : plan.choice.scalars)
         if (scalar.is_magnitude())

@@ -43,11 +43,17 @@ bool contains(const std::vector<FieldInfo>& fields, const FieldInfo& field) {
                        [&](const FieldInfo& other) { return same_array(field, other); });
 }
 
+/// Says whether someone means this field by a name: the source's, or that which tells it from another.
+bool is_called(const FieldInfo& field, const std::string& name, const std::vector<FieldInfo>& all) {
+    return field.name == name || told_apart(field, all) == name;
+}
+
 core::Result<void> check_wanted(const std::vector<FieldInfo>& fields,
                                 const std::vector<std::string>& wanted) {
     for (const auto& name : wanted) {
-        const auto found = std::find_if(fields.begin(), fields.end(),
-                                        [&](const FieldInfo& f) { return f.name == name; });
+        const auto found = std::find_if(fields.begin(), fields.end(), [&](const FieldInfo& f) {
+            return is_called(f, name, fields);
+        });
         if (found == fields.end())
             return core::fail(Error::Code::NotFound,
                               "there is no field " + name + "; there is " + listed(fields));
@@ -91,8 +97,8 @@ std::string slug(const std::string& name) {
     return out.empty() ? "scalar" : out;
 }
 
-std::string stored_name(const FieldInfo& field) {
-    return field.components == 1 ? field.name : field.name + " magnitude";
+std::string stored_name(const FieldInfo& field, const std::vector<FieldInfo>& all) {
+    return field.components == 1 ? told_apart(field, all) : field.name + " magnitude";
 }
 
 // Returns the scalars of points before those of cells.
@@ -113,12 +119,13 @@ std::vector<FieldInfo> possible_scalars(const std::vector<FieldInfo>& fields,
 }
 
 // Keeps the first of fields with one name; a scalar of the source goes before a magnitude.
-std::vector<FieldInfo> each_name_once(const std::vector<FieldInfo>& fields) {
+std::vector<FieldInfo> each_name_once(const std::vector<FieldInfo>& fields,
+                                      const std::vector<FieldInfo>& all) {
     std::vector<FieldInfo> out;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         bool stays = true;
         for (std::size_t j = 0; j < fields.size(); ++j)
-            if (j != i && stored_name(fields[j]) == stored_name(fields[i]))
+            if (j != i && stored_name(fields[j], all) == stored_name(fields[i], all))
                 stays = stays && (fields[i].components < fields[j].components ||
                                   (fields[i].components == fields[j].components && i < j));
         if (stays)
@@ -135,16 +142,20 @@ void choose_scalars(const std::vector<FieldInfo>& fields,
     std::vector<FieldInfo> named;
     std::copy_if(found.begin(), found.end(), std::back_inserter(named),
                  [&](const FieldInfo& field) {
-                     return std::find(wanted.begin(), wanted.end(), field.name) != wanted.end() &&
+                     return std::any_of(wanted.begin(), wanted.end(),
+                                        [&](const std::string& name) {
+                                            return is_called(field, name, fields);
+                                        }) &&
                             !contains(choice.velocity.divisor, field);
                  });
     std::set<std::string> taken{std::string(store::velocity_stem)};
-    for (const auto& field : each_name_once(named.empty() ? found : named)) {
-        const std::string first = slug(stored_name(field));
+    for (const auto& field : each_name_once(named.empty() ? found : named, fields)) {
+        const std::string name = stored_name(field, fields);
+        const std::string first = slug(name);
         std::string stem = first;
         for (int i = 2; !taken.insert(stem).second; ++i)
             stem = first + "-" + std::to_string(i);
-        choice.scalars.push_back({field, {stored_name(field), stem}});
+        choice.scalars.push_back({field, {name, stem}});
     }
 }
 
@@ -176,6 +187,15 @@ void note_what_is_left_out(const std::vector<FieldInfo>& fields, FieldChoice& ch
 }
 
 } // namespace
+
+std::string told_apart(const FieldInfo& field, const std::vector<FieldInfo>& all) {
+    const bool twin =
+        field.source == FieldInfo::Source::Cell &&
+        std::any_of(all.begin(), all.end(), [&](const FieldInfo& other) {
+            return other.name == field.name && other.source == FieldInfo::Source::Point;
+        });
+    return twin ? field.name + " (cells)" : field.name;
+}
 
 FieldInfo ChosenScalar::info() const {
     return {stored.name, 1, field.source, field.range, field.unit};

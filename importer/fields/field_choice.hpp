@@ -12,6 +12,10 @@
 
 namespace wakesurf::importer {
 
+/// Returns the name by which a field is known: one of the cells that has its name from one of the points gets "(cells)" behind it.
+/// @param all  of the source
+std::string told_apart(const core::FieldInfo& field, const std::vector<core::FieldInfo>& all);
+
 /// Holds a 1-component array as it is, or the magnitude of a vector that is not the velocity.
 struct ChosenScalar {
     core::FieldInfo field; ///< of the source
@@ -56,8 +60,8 @@ struct FieldChoice {
 /// Chooses the fields. Velocity: as velocity_choice.hpp does. Mask: the 1-component array called mask, fluid,
 /// fluid_mask or vtkValidPointMask (1 = fluid), or solid, solid_mask or obstacle (1 = solid), unless
 /// `wish.no_masks` has it. Scalars: all other 1-component arrays, and the magnitudes of other vectors as
-/// `NAME magnitude`, or those among `wish.kept` if it names some. Of two with one name, that of the points is
-/// chosen, but an array before a magnitude. Error: NotFound (no velocity; a wanted field is missing),
+/// `NAME magnitude`, or those among `wish.kept` if it names some. Of two vectors with one name, that of the points is chosen, of a vector's
+/// magnitude and an array the array; two scalars are told apart. Error: NotFound (no velocity; a wanted field is missing),
 /// InvalidArgument (several candidates), Unsupported (a momentum without its density, parts in different
 /// units), each listing what there is.
 core::Result<FieldChoice> choose_fields(const std::vector<core::FieldInfo>& fields,

@@ -50,6 +50,21 @@ TEST(FieldChoice, TellsWhichOfTwoFieldsOfOneNameItLeavesOut) {
               "left out, since a store holds one vector: U of the cells, R");
 }
 
+TEST(FieldChoice, TellsAScalarOfTheCellsFromOneOfThePoints) {
+    const Fields fields{cell("p", 1), point("U", 3), point("p", 1), cell("T", 1)};
+    const auto names = [&](std::vector<std::string> wanted) {
+        std::vector<std::string> out;
+        for (const ChosenScalar& each : choose_fields(fields, {std::move(wanted), {}})->scalars)
+            out.push_back(each.stored.name +
+                          (each.field.source == FieldInfo::Source::Cell ? " of cells" : ""));
+        return out;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(names({}), (Names{"p", "p (cells) of cells", "T of cells"}));
+    EXPECT_EQ(names({"p"}), (Names{"p", "p (cells) of cells"}));
+    EXPECT_EQ(names({"p (cells)"}), (Names{"p (cells) of cells"}));
+}
+
 TEST(FieldChoice, StoresOtherVectorsAsTheirMagnitudes) {
     const Fields fields{point("U", 3), cell("vorticity", 3), point("p", 1), cell("B", 3),
                         point("B", 3)};
@@ -265,9 +280,10 @@ TEST(FieldChoice, StoresScalarsUnderNamesOfTheirOwn) {
     const Fields fields{point("U", 3),         point("p", 1), cell("p", 1),
                         point("Velocity", 1),  point("P", 1), point("mask", 1),
                         point("T (total)", 1), point("R", 6)};
-    EXPECT_EQ(stems(fields), (std::vector<std::string>{"p", "velocity-2", "p-2", "t-total"}));
+    EXPECT_EQ(stems(fields),
+              (std::vector<std::string>{"p", "velocity-2", "p-2", "t-total", "p-cells"}));
     EXPECT_EQ(stems(fields, {"P"}), (std::vector<std::string>{"p"}));
-    EXPECT_EQ(stems(fields, {"U"}).size(), 4u);
+    EXPECT_EQ(stems(fields, {"U"}).size(), 5u);
     const auto choice = choose_fields(fields, {});
     EXPECT_EQ(choice->mask->name, "mask");
     EXPECT_EQ(choice->scalars[0].field.source, FieldInfo::Source::Point);
