@@ -2,6 +2,7 @@
 #include "core/field/analytic_flow.hpp"
 #include "core/field/stored_flow.hpp"
 #include "core/surface/slice/slice_raster.hpp"
+#include "tests/support/bricked_source.hpp"
 #include "tests/support/cell_meshes.hpp"
 #include "tests/support/sampled_source.hpp"
 
@@ -209,6 +210,26 @@ TEST(SliceRaster, IsTheSameBytesOnAnyNumberOfThreads) {
         ASSERT_TRUE(many && one);
         EXPECT_TRUE(same_bytes(*many, *one));
     }
+}
+
+TEST(SliceRaster, InBricksIsTheSameBytesWithinTheSmallestBudget) {
+    const Data data(cube(65), [](const Vec3& x, double time) { return wave(x) + time; });
+    TimeStepCache::Options options;
+    options.budget_bytes = 0;
+    options.by_brick = true;
+    const auto cache = std::make_shared<TimeStepCache>(
+        std::make_shared<tests::BrickedSource>(data.source, 8), options);
+    const auto flow = make_stored_flow(cache);
+    for (const SampledField& field :
+         {SampledField(SpeedField{}), SampledField(GradientField::QCriterion)}) {
+        const SliceRequest request{oblique, field, 0.3, 300};
+        const auto whole = sample_slice(request, *data.flow, {});
+        const auto bricks = sample_slice(request, *flow, {});
+        ASSERT_TRUE(whole && bricks);
+        EXPECT_TRUE(same_bytes(*whole, *bricks));
+        EXPECT_LE(cache->status().bytes, cache->status().budget);
+    }
+    EXPECT_LT(cache->status().budget, data.source->bytes_per_step());
 }
 
 TEST(SliceRaster, WithFewerSamplesHasTheSameWindowAndSquaresAsFar) {
