@@ -18,12 +18,14 @@ import type { LinesFile } from '../../protocol/linesFile.ts';
 import { beforeEyeShader } from '../base/beforeEye.ts';
 import type { Layer, View } from '../base/view.ts';
 import { type ColourMapName, colourTable, tableSize } from '../surface/colourMap.ts';
+import { screenDoorGlsl } from '../surface/renderPasses.ts';
 
 /** How lines are coloured. */
 export interface LineColours {
     map: ColourMapName;
     /** Values of the ends of the map. */
     range: readonly [number, number];
+    opacity: number;
 }
 
 interface Drawn {
@@ -78,12 +80,15 @@ void main() {
 const fragmentShader = /* glsl */ `
 uniform sampler2D table;
 uniform vec2 scale; // from a value to a place in the table
+uniform float opacity;
 varying vec2 place;
 varying float reach;
 varying float weight;
 varying vec2 values;
+${screenDoorGlsl}
 
 void main() {
+    if (!isThere(opacity, ivec2(2, 1))) discard;
     vec2 here = place / weight;
     float along = clamp(here.x, 0.0, reach);
     // Round ends close what is open between two pieces at an angle.
@@ -108,7 +113,7 @@ export class LineLayer implements Layer {
         this.width = width;
     }
 
-    set(id: string, lines: LinesFile, { map, range: [low, high] }: LineColours): void {
+    set(id: string, lines: LinesFile, { map, range: [low, high], opacity }: LineColours): void {
         let held = this.drawn.get(id);
         if (held === undefined) {
             held = { mesh: new Mesh(geometryOf(lines), createMaterial(map)), lines, map };
@@ -122,7 +127,7 @@ export class LineLayer implements Layer {
         const { mesh } = held;
         mesh.position.set(...lines.origin);
         mesh.visible = lines.points.length > 0;
-        const { table, scale } = mesh.material.uniforms as Record<string, { value: unknown }>;
+        const { table, scale, opacity: seen } = mesh.material.uniforms as Record<string, { value: unknown }>;
         const texture = table!.value as DataTexture;
         if (held.map !== map) {
             texture.image.data!.set(colourTable(map));
@@ -130,6 +135,7 @@ export class LineLayer implements Layer {
         }
         const length = high > low ? high - low : 1;
         (scale!.value as Vector2).set(1 / length, -low / length);
+        seen!.value = opacity;
         [held.lines, held.map] = [lines, map];
     }
 
@@ -195,6 +201,7 @@ function createMaterial(map: ColourMapName): ShaderMaterial {
             nearest: { value: 0 },
             table: { value: table },
             scale: { value: new Vector2(1, 0) },
+            opacity: { value: 1 },
         },
     });
 }

@@ -6,7 +6,7 @@ import type { LinesFile } from '../../protocol/linesFile.ts';
 import { LineLayer } from '../../scene/lines/lineLayer.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
-import { shows } from '../../state/pageView.ts';
+import { opacityOf, shows } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
@@ -138,12 +138,13 @@ export class Lines {
     private paint(): void {
         const meanings = new Map<string, FieldMeaning>();
         const usual = this.colours.meanings.value;
+        const visibility = this.options.view.visibility.value;
         for (const [id, { range, field }] of this.places.value) {
             const lines = this.files.get(id);
             const meaning = usual.get(id) ?? { field, less: '', map: 'viridis' as const, range: [0, 1] as [number, number] };
             const shown = range === null ? meaning : { ...meaning, range: [...range] as [number, number] };
             if (lines === undefined) continue;
-            this.layer.set(id, lines, shown);
+            this.layer.set(id, lines, { ...shown, opacity: opacityOf(visibility, id) });
             if (usual.has(id) && shown.field === field) meanings.set(id, shown);
         }
         if (JSON.stringify([...meanings]) !== JSON.stringify([...this.meanings.peek()])) this.meanings.value = meanings;

@@ -128,7 +128,6 @@ function lines({ view, lines: loaded }: PictureListModel): PicturedThing[] {
     return [...(held?.places.value ?? [])].map(([id, { field, ...seeds }]) => ({
         ...{ id, kind: 'lines', name: seedsWords(seeds), about: isolated(field), title: 'streamlines', colour: null },
         ...lookedAt(view, id),
-        opacity: null,
         remove: () => void held?.remove(id),
     }));
 }
