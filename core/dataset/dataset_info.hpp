@@ -74,4 +74,12 @@ struct DatasetInfo {
     double finest_spacing = 0.0;
 };
 
+/// Returns the unit of a field by its name; empty where it has none, or there is no such field.
+inline std::string unit_of(const DatasetInfo& info, std::string_view field) {
+    for (const FieldInfo& each : info.fields)
+        if (each.name == field)
+            return each.unit;
+    return {};
+}
+
 } // namespace wakesurf::core

@@ -1,4 +1,4 @@
-// A name as a field of RFC 4180.
+// Text of any kind as a field of RFC 4180.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@ import numpy as np
 
 from .mesh import Array
 
-_NAME = re.compile(r"(\w+)(?: \[(.*)\])?", re.DOTALL)
+_NAME = re.compile(r"(.*?)(?: \[(.*)\])?", re.DOTALL)
 Times = Union[str, Tuple[float, float, float]]
 
 
@@ -109,11 +109,14 @@ def shares(of: Mapping[str, Numbers], by: str, i: int = -1) -> Dict[str, Share]:
     return {name: Share(value / whole, error(name, "_error"), error(name, "_interval_error")) for name, value in values.items()}
 
 
-def query_of(times: Optional[Times], through: Optional[str], time: Union[float, str, None]) -> Dict[str, str]:
+def query_of(times: Optional[Times], through: Optional[str], time: Union[float, str, None],
+             fields: Sequence[str]) -> Dict[str, str]:
     """Returns the parameters of a request."""
     query = {} if time is None else {"time": time if isinstance(time, str) else repr(float(time))}
     if times is not None:
         query["times"] = times if isinstance(times, str) else ":".join(repr(float(each)) for each in times)
     if through is not None:
         query["through"] = through
+    if fields:
+        query["fields"] = ",".join(fields)
     return query

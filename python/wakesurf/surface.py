@@ -6,7 +6,7 @@ import os
 import time as clock
 import urllib.parse
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Tuple, Union, cast
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union, cast
 
 from .api_base import Notification
 from .connection import Connection
@@ -117,16 +117,16 @@ class Surface(SurfaceChanger, Record):
         return reply.get("ETag", ""), body if status == 200 else b""
 
     def numbers(self, times: Optional[Times] = None, through: Optional[str] = None, timeout: float = 600.0, *,
-                time: Union[float, str, None] = None) -> Numbers:
+                time: Union[float, str, None] = None, fields: Sequence[str] = ()) -> Numbers:
         """Returns area, flux and more, each with its errors, see numbers.py: as the session shows the surface, at another
         `time` or at the "end", or at `times` (first, last, every), of a stream surface `from` plus the age. `through`: a
-        plane or a box of numbers.py, for ages there and what is inside.
+        plane or a box of numbers.py, for ages there and what is inside. `fields`: whose means over it are wanted.
 
         >>> numbers = surface.numbers(through=wakesurf.numbers.box((0, 0, 0), (1, 1, 1)))
         >>> 0 < numbers["area_error"][0] < numbers["area"][0] >= numbers["inside_area"][0]
         True
         """
-        return Numbers.from_csv(self._file("numbers.csv", query_of(times, through, time), None, timeout)[1].decode())
+        return Numbers.from_csv(self._file("numbers.csv", query_of(times, through, time, fields), None, timeout)[1].decode())
 
     def export(self, path: Union[str, os.PathLike[str]], timeout: float = 600.0, *,
                time: Union[float, str, None] = None, draco: bool = True, lines: Optional[str] = None,

@@ -320,7 +320,8 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
     command
         .add_option(
             "--fields", options.fields,
-            "Scalar fields to write at the vertices, a,b; vorticity and q_criterion are derived")
+            "Scalar fields to write at the vertices, a,b; vorticity and q_criterion are derived; "
+            "with -o NAME.csv their means")
         ->delimiter(',');
     command.add_option("--max-quads", options.max_quads, "Maximum number of quads")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))

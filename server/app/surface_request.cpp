@@ -276,7 +276,6 @@ core::Result<void> check_picture_options(const SurfaceOptions& options) {
 core::Result<void> check_series_options(const SurfaceOptions& options, const Series& series) {
     const bool files = series.form == Series::Form::Files;
     const std::pair<bool, const char*> others[] = {
-        {series.form == Series::Form::Numbers && !options.fields.empty(), "--fields"},
         {!files && !options.lines.empty(), "--lines"},
         {options.tessellate > 1, "--tessellate"},
         {!files && !options.draco, "--no-draco"},

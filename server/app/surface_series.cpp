@@ -106,8 +106,11 @@ core::Result<void> write_numbers(const SurfaceOptions& options,
                                  const LoadedDataset& dataset,
                                  const core::WorkPart& work,
                                  const std::stop_token& stop) {
+    const auto fields = averaged_fields(dataset, options.fields, "--fields");
+    if (!fields)
+        return tl::unexpected(fields.error());
     const auto table =
-        core::numbers_over_time(plan, times, through, core::SteadyClock{}, stop, work);
+        core::numbers_over_time(plan, times, through, *fields, core::SteadyClock{}, stop, work);
     if (!table)
         return tl::unexpected(table.error());
     if (auto shown = tell_statistics(table->statistics, false); !shown)

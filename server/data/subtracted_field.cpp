@@ -1,21 +1,11 @@
 #include "server/data/subtracted_field.hpp"
 
-#include <algorithm>
-
 namespace wakesurf::server {
 
 using core::Error;
 using core::fail;
 
 namespace {
-
-/// Empty: unknown.
-std::string unit_of(const std::string& field, const core::DatasetInfo& info) {
-    const auto found =
-        std::find_if(info.fields.begin(), info.fields.end(),
-                     [&](const core::FieldInfo& each) { return each.name == field; });
-    return found == info.fields.end() ? "" : found->unit;
-}
 
 bool differ(const std::string& a, const std::string& b) {
     return !a.empty() && !b.empty() && a != b;
@@ -46,9 +36,9 @@ core::Result<NodeField> subtracted_field(const std::string& name,
                     what + " in " + a + " in " + from.name + " and in " + b + " in " + other.name,
                     "only values in the same unit can be subtracted: convert one of the datasets");
     };
-    const bool derived = unit_of(name, from).empty() && unit_of(there, other).empty();
-    if (const auto a = unit_of(derived ? from.velocity : name, from),
-        b = unit_of(derived ? other.velocity : there, other);
+    const bool derived = core::unit_of(from, name).empty() && core::unit_of(other, there).empty();
+    if (const auto a = core::unit_of(from, derived ? from.velocity : name),
+        b = core::unit_of(other, derived ? other.velocity : there);
         differ(a, b))
         return other_units((derived ? "the velocity" : name) + " is", a, b);
     if (differ(from.time_unit, other.time_unit))

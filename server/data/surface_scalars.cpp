@@ -6,6 +6,7 @@
 #include "server/base/field_names.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace wakesurf::server {
 
@@ -31,6 +32,27 @@ std::optional<core::GradientField> derived_here(const LoadedDataset& dataset,
 /// Says whether to derive a component of the velocity; a stored field of that name goes before it.
 bool component_here(const LoadedDataset& dataset, const std::string& name) {
     return core::is_vertex_component(name) && !stored(dataset, name);
+}
+
+/// What every export has, as a scalar.
+std::vector<float> own_values(const core::QuadComplex& mesh, const std::string& name) {
+    std::vector<float> out(mesh.vertices(), std::numeric_limits<float>::quiet_NaN());
+    const auto copy = [&](const auto& given) {
+        std::copy(given.begin(), given.end(), out.begin());
+    };
+    if (name == core::deformation_name) {
+        copy(mesh.deformation);
+    } else if (name == core::approximated_name) {
+        copy(mesh.approximated);
+    } else if (name == core::error_name) {
+        copy(mesh.error);
+    } else if (name == core::interval_error_name) {
+        copy(mesh.interval_error);
+    } else {
+        for (std::size_t v = 0; v < out.size(); ++v)
+            out[v] = static_cast<float>(mesh.speed(static_cast<core::VertexId>(v)));
+    }
+    return out;
 }
 
 } // namespace
@@ -82,6 +104,28 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
     for (std::size_t k = 0; k < derived.size(); ++k)
         scalars[derived_names[k]] = std::move((*values)[k]);
     return scalars;
+}
+
+core::Result<std::vector<core::AveragedField>>
+averaged_fields(const LoadedDataset& dataset,
+                const std::vector<std::string>& fields,
+                std::string_view parameter) {
+    if (auto known = check_fields(dataset, fields, parameter); !known)
+        return tl::unexpected(known.error());
+    std::vector<core::AveragedField> out;
+    for (const std::string& name : fields) {
+        const bool of_velocity = component_here(dataset, name) && !core::is_normal_component(name);
+        out.push_back(
+            {name, core::unit_of(dataset.info, of_velocity ? dataset.info.velocity : name),
+             [&dataset, name](const core::QuadComplex& mesh, const std::vector<double>& times,
+                              const std::stop_token& stop) -> core::Result<std::vector<float>> {
+                 if (written_anyhow(dataset, name))
+                     return own_values(mesh, name);
+                 return surface_scalars(dataset, mesh, times, {name}, stop)
+                     .map([&](protocol::MeshScalars scalars) { return std::move(scalars[name]); });
+             }});
+    }
+    return out;
 }
 
 } // namespace wakesurf::server

@@ -2,6 +2,7 @@
 // exports.
 #pragma once
 
+#include "core/surface/measures/field_mean.hpp"
 #include "core/surface/quad_complex.hpp"
 #include "protocol/files/mesh_metadata.hpp"
 #include "server/data/open_dataset.hpp"
@@ -27,5 +28,12 @@ core::Result<protocol::MeshScalars> surface_scalars(const LoadedDataset& dataset
                                                     const std::vector<double>& times,
                                                     const std::vector<std::string>& fields,
                                                     const std::stop_token& stop);
+
+/// Returns fields whose means over a surface can be taken; the velocity's is that of its magnitude. Sampling
+/// them reports what surface_scalars does. The dataset must outlive them. Error: as check_fields.
+core::Result<std::vector<core::AveragedField>>
+averaged_fields(const LoadedDataset& dataset,
+                const std::vector<std::string>& fields,
+                std::string_view parameter = "fields");
 
 } // namespace wakesurf::server

@@ -28,12 +28,8 @@ std::string length_text(double value, const core::DatasetInfo& dataset) {
 
 std::string
 title_of(const std::string& name, const SurfaceJob& job, const core::DatasetInfo& dataset) {
-    const auto unit_of = [&](const std::string& field) {
-        const auto found = std::ranges::find(dataset.fields, field, &core::FieldInfo::name);
-        return found == dataset.fields.end() ? std::string() : found->unit;
-    };
     if (name == protocol::surface_attributes[0])
-        return with_unit("Speed", unit_of(dataset.velocity));
+        return with_unit("Speed", core::unit_of(dataset, dataset.velocity));
     if (name == protocol::surface_attributes[2])
         return job.plan.parameters.kind == core::SurfaceKind::Time
                    ? "Position across the patch"
@@ -42,7 +38,7 @@ title_of(const std::string& name, const SurfaceJob& job, const core::DatasetInfo
         return "Stretching (log₂ of area)";
     if (name == core::error_name)
         return with_unit("Estimated error", dataset.length_unit);
-    return with_unit(name, unit_of(name));
+    return with_unit(name, core::unit_of(dataset, name));
 }
 
 /// Names of values with a sign that says something.

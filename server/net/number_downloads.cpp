@@ -7,8 +7,10 @@
 #include "protocol/api/base/json_text.hpp"
 #include "protocol/files/numbers_csv.hpp"
 #include "server/base/limits.hpp"
+#include "server/base/split.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/region_text.hpp"
+#include "server/data/surface_scalars.hpp"
 #include "server/net/asked_surface.hpp"
 
 #include <fmt/format.h>
@@ -36,13 +38,20 @@ core::Result<NumbersRequest> read_numbers(const std::map<std::string, std::strin
             if (!region)
                 return tl::unexpected(region.error());
             out.through = *region;
+        } else if (name == "fields") {
+            for (const std::string_view field : split(value, ','))
+                out.fields.emplace_back(field);
+            if (out.fields.size() > limits::fields)
+                return fail(Error::Code::InvalidArgument,
+                            fmt::format("`fields` names more than {}", limits::fields),
+                            "leave some out");
         } else if (name == "time") {
             shown.emplace(name, value);
         } else {
             return fail(Error::Code::InvalidArgument,
                         "numbers have no parameter `" + name.substr(0, 64) + "`",
                         "the parameters are ?time=2.5, ?time=end, ?times=0:5:0.1 and "
-                        "?through=plane:0,0,0:1,0,0 or box:0,0,0:1,1,1");
+                        "?through=plane:0,0,0:1,0,0 or box:0,0,0:1,1,1 and ?fields=p,U");
         }
     }
     if (out.times && !shown.empty())
@@ -62,13 +71,14 @@ struct NumbersJob {
     std::shared_ptr<const LoadedDataset> dataset; ///< keeps what the plan needs
     std::vector<double> times;
     std::optional<core::Region> through;
+    std::vector<core::AveragedField> fields;
     const core::MemoryAccount* account;
 
     core::Result<std::string> make(const std::stop_token& stop,
                                    core::MemoryAccount::Share& share) const {
         core::WorkMemory memory(*account, stop, limits::download_memory,
                                 "the numbers of this surface");
-        return core::numbers_over_time(plan, times, through, core::SteadyClock{}, stop,
+        return core::numbers_over_time(plan, times, through, fields, core::SteadyClock{}, stop,
                                        {nullptr, &memory})
             .and_then([&](const core::NumberTable& table) -> core::Result<std::string> {
                 std::string text = protocol::numbers_csv(table, dataset->info.length_unit,
@@ -95,7 +105,11 @@ core::Result<void> NumberDownloads::offer(const HttpRequest& request,
         return tl::unexpected(asked.error());
     if (const auto wrong = asked->live->outcome().error) // holds for its numbers as well
         return tl::unexpected(*wrong);
-    NumbersJob job{asked->live->wanted().plan, asked->dataset, {}, wanted->through, &account_};
+    auto fields = averaged_fields(*asked->dataset, wanted->fields);
+    if (!fields)
+        return tl::unexpected(fields.error());
+    NumbersJob job{asked->live->wanted().plan, asked->dataset, {}, wanted->through,
+                   *std::move(fields),         &account_};
     const core::SurfaceParameters& p = job.plan.parameters;
     if (wanted->times) {
         auto times = times_in(*wanted->times, p, most_numbers_times, "`times`");

@@ -1,4 +1,4 @@
-// Numbers of a surface over HTTP, as CSV: /api/v1/sessions/S/surfaces/U/numbers.csv?times=0:5:0.1&through=box:0,0,0:1,1,1
+// Numbers of a surface over HTTP, as CSV: /api/v1/sessions/S/surfaces/U/numbers.csv?times=0:5:0.1&through=box:0,0,0:1,1,1&fields=p
 #pragma once
 
 #include "core/base/memory_account.hpp"
@@ -14,6 +14,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace wakesurf::server {
 
@@ -25,6 +26,7 @@ struct NumbersRequest {
     DownloadRequest shown{};            ///< at which time, if there is one row
     std::optional<SeriesTimes> times{}; ///< one row each
     std::optional<core::Region> through{};
+    std::vector<std::string> fields{}; ///< whose means are wanted
 };
 
 /// Error: InvalidArgument, naming the fault in the query.

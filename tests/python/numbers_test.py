@@ -31,6 +31,20 @@ class NumbersTest(ServerTest):
             self.assertEqual(len(numbers), 5)
             self.assertTrue((np.diff(numbers["area"]) > 0).all(), kind)
 
+    def test_means_of_fields_are_by_area(self):
+        surface = self.surface()
+        numbers = surface.numbers(time="end", fields=["velocity", "velocity_x"])
+        mesh = surface.mesh(time="end", tessellate=2)
+        triangles = mesh.triangles()
+        areas = mesh.areas(triangles)
+        velocities = mesh["velocity"][triangles].mean(axis=1)
+        self.assertAlmostEqual(numbers["mean_velocity_x"][0], np.average(velocities[:, 0], weights=areas), places=3)
+        self.assertAlmostEqual(numbers["mean_velocity"][0], np.average(np.linalg.norm(mesh["velocity"][triangles], axis=2).mean(axis=1), weights=areas),
+                               places=3)
+        with self.assertRaises(wakesurf.WakesurfError) as failed:
+            surface.numbers(fields=["velocty"])
+        self.assertIn("velocity", str(failed.exception))
+
     def test_wrong_places_and_times_are_refused_in_words(self):
         for given in ({"through": "ball:0,0,0:1,1,1"}, {"times": "0:3:0.1"}, {"times": (0, 2, 1e-9)}, {"time": "1", "times": (0, 2, 1)}):
             with self.assertRaises(wakesurf.WakesurfError) as failed:

@@ -2,6 +2,7 @@
 
 #include "core/surface/measures/closed_curve.hpp"
 #include "core/surface/measures/cut_curve.hpp"
+#include "core/surface/measures/part_bounds.hpp"
 #include "core/surface/measures/residence.hpp"
 #include "core/surface/measures/section_flux.hpp"
 #include "core/surface/patches/tessellation.hpp"
@@ -16,8 +17,8 @@ namespace wakesurf::core {
 namespace {
 
 /// What measuring takes beside the meshes, in bytes a vertex: errors, and up to seven functions and an age at each of the
-/// 5 vertices that halved cells have for one of whole ones.
-constexpr std::size_t vertex_bytes_measured = 450;
+/// 5 vertices that halved cells have for one of whole ones; and at each of these and of the whole ones a field.
+constexpr std::size_t vertex_bytes_measured = 450, vertex_bytes_of_field = 24;
 
 /// Returns one age a vertex; none of a level surface.
 std::vector<double> ages_of(const SurfacePlan& plan, const QuadComplex& mesh, double time) {
@@ -38,34 +39,6 @@ bool has_ages(const SurfacePlan& plan) {
 
 bool grows_with_age(const SurfacePlan& plan) {
     return plan.parameters.kind == SurfaceKind::Stream || plan.parameters.kind == SurfaceKind::Path;
-}
-
-/// The functions that limit a surface, not negative on what counts.
-std::vector<VertexFunction> age_bound(const std::vector<double>& ages, double age) {
-    VertexFunction younger;
-    for (const double each : ages)
-        younger.push_back(age - each);
-    return {std::move(younger)};
-}
-
-void add_bounds(std::vector<VertexFunction>& bounds,
-                const QuadComplex& mesh,
-                const Region& region) {
-    const auto add = [&](const auto& function) {
-        VertexFunction values;
-        for (const Vec3& p : mesh.position)
-            values.push_back(function(p));
-        bounds.push_back(std::move(values));
-    };
-    if (const auto* plane = std::get_if<Plane>(&region)) {
-        add([&](const Vec3& p) { return plane->height(p); });
-        return;
-    }
-    const Box& box = std::get<Box>(region);
-    for (int axis = 0; axis < 3; ++axis) {
-        add([&](const Vec3& p) { return p[axis] - box.lo[axis]; });
-        add([&](const Vec3& p) { return box.hi[axis] - p[axis]; });
-    }
 }
 
 /// What the parts of a mesh come to.
@@ -105,16 +78,30 @@ std::vector<double> known_errors(const std::vector<float>& errors, std::size_t c
 Result<MeasuredSurface> MeasuredSurface::of(const SurfacePlan& plan,
                                             const Surface& state,
                                             std::vector<double> times,
+                                            std::span<const AveragedField> fields,
                                             const std::stop_token& stop,
                                             const WorkPart& work) {
     const QuadComplex& mesh = state.mesh;
-    if (auto room = work.takes(memory_of(mesh) + mesh.vertices() * vertex_bytes_measured); !room)
+    const std::size_t bytes = vertex_bytes_measured + fields.size() * vertex_bytes_of_field;
+    if (auto room = work.takes(memory_of(mesh) + mesh.vertices() * bytes); !room)
         return tl::unexpected(room.error());
     MeasuredSurface out;
     out.plan_ = plan;
     out.statistics_ = state.statistics;
     out.time_ = state.ended.value_or(plan.parameters.to);
+    out.fields_.assign(fields.begin(), fields.end());
+    const auto sampled = [&](Mesh& into) -> Result<void> {
+        for (const AveragedField& field : fields) {
+            auto values = field.values(into.mesh, times, stop);
+            if (!values)
+                return tl::unexpected(values.error());
+            into.values.push_back(*std::move(values));
+        }
+        return {};
+    };
     out.whole_ = {mesh, ages_of(plan, mesh, out.time_)};
+    if (auto known = sampled(out.whole_); !known)
+        return tl::unexpected(known.error());
     out.errors_ = known_errors(mesh.error, mesh.vertices(), state.statistics.separation);
     out.interval_errors_ =
         known_errors(mesh.interval_error, mesh.vertices(), std::numeric_limits<double>::infinity());
@@ -129,6 +116,8 @@ Result<MeasuredSurface> MeasuredSurface::of(const SurfacePlan& plan,
         return tl::unexpected(halved.error());
     auto ages = ages_of(plan, halved->mesh, out.time_);
     out.halved_ = Mesh{std::move(halved->mesh), std::move(ages)};
+    if (auto known = sampled(*out.halved_); !known)
+        return tl::unexpected(known.error());
     return out;
 }
 
@@ -174,8 +163,13 @@ class NumbersOfState {
 
     void note(std::string sentence) { out_.notes.push_back(std::move(sentence)); }
 
-    std::vector<VertexFunction> bounds_of(const MeasuredSurface::Mesh& mesh) const {
-        return grows_ ? age_bound(mesh.ages, age_) : std::vector<VertexFunction>{};
+    std::vector<VertexFunction>
+    bounds_of(const MeasuredSurface::Mesh& mesh,
+              const std::optional<Region>& region = std::nullopt) const {
+        auto bounds = grows_ ? age_bound(mesh.ages, age_) : std::vector<VertexFunction>{};
+        if (region)
+            add_bounds(bounds, mesh.mesh, *region);
+        return bounds;
     }
 
     /// Area and flux of what is inside bounds.
@@ -186,9 +180,7 @@ class NumbersOfState {
     };
 
     Extent extent(const std::optional<Region>& region) const {
-        auto bounds = bounds_of(of_.whole_);
-        if (region)
-            add_bounds(bounds, of_.whole_.mesh, *region);
+        const auto bounds = bounds_of(of_.whole_, region);
         Sums whole = sums_of(of_.whole_.mesh, of_.whole_.ages, bounds);
         const auto by_error = of_.spreader_->spread(of_.whole_.mesh, bounds, of_.errors_);
         const auto by_interval =
@@ -196,10 +188,8 @@ class NumbersOfState {
         Extent out{{whole.area}, {whole.flux}, not_known, not_known, not_known, {}};
         const double area = whole.area;
         if (of_.halved_) {
-            auto fine_bounds = bounds_of(*of_.halved_);
-            if (region)
-                add_bounds(fine_bounds, of_.halved_->mesh, *region);
-            Sums halved = sums_of(of_.halved_->mesh, of_.halved_->ages, fine_bounds);
+            Sums halved =
+                sums_of(of_.halved_->mesh, of_.halved_->ages, bounds_of(*of_.halved_, region));
             out.area = extrapolated(whole.area, halved.area);
             out.flux = extrapolated(whole.flux, halved.flux);
             out.ages = std::move(halved.ages);
@@ -235,6 +225,7 @@ class NumbersOfState {
         add("approximated", 0, 0, all.approximated);
         add("uncertain", 0, 0, all.uncertain);
         add("unresolved", 0, 0, all.unresolved);
+        tell_means("", std::nullopt);
         const SurfaceStatistics& statistics = of_.statistics_;
         if (!(all.area.value > 0.0))
             note("the surface has no area then");
@@ -247,6 +238,25 @@ class NumbersOfState {
                  " cells were deleted among living particles, and are not counted");
         if (!statistics.stopped.empty())
             note("the surface ends early: " + statistics.stopped);
+    }
+
+    /// No error is told: how much a field changes along a vertex's own is not known.
+    void tell_means(const std::string& where, const std::optional<Region>& region) {
+        for (std::size_t k = 0; k < of_.fields_.size(); ++k) {
+            const AveragedField& field = of_.fields_[k];
+            const auto over = [&](const MeasuredSurface::Mesh& on) {
+                return integral_over(on.mesh, bounds_of(on, region), on.values[k]);
+            };
+            FieldIntegral found = over(of_.halved_ ? *of_.halved_ : of_.whole_);
+            // An error is known at the vertices that the builder made alone.
+            if (!(found.area > 0.0) && of_.halved_)
+                found = over(of_.whole_);
+            out_.numbers.push_back({where + "mean_" + field.name, 0, 0, found.mean(), field.unit});
+            if (const double area = found.area + found.unknown; found.unknown > 0.005 * area)
+                note(field.name + " is known on " +
+                     std::to_string(std::lround(100.0 * found.area / area)) + " % of the area" +
+                     (where.empty() ? "" : " inside"));
+        }
     }
 
     Result<void> tell_cut(const Region& region) {
@@ -292,6 +302,7 @@ class NumbersOfState {
     void tell_inside(const Region& region, const std::vector<double>& error99) {
         Extent inside = extent(region);
         add("inside_area", 2, 0, inside.area);
+        tell_means("inside_", region);
         if (has_ages(of_.plan_)) {
             add("inside_age_median", 0, 1, weighted_quantile(inside.ages, 0.5));
             add("inside_age_p90", 0, 1, weighted_quantile(inside.ages, 0.9));

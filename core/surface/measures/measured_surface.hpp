@@ -5,12 +5,14 @@
 #include "core/base/result.hpp"
 #include "core/base/work_done.hpp"
 #include "core/surface/measures/error_spread.hpp"
+#include "core/surface/measures/field_mean.hpp"
 #include "core/surface/measures/measured.hpp"
 #include "core/surface/measures/region.hpp"
 #include "core/surface/request/surface_plan.hpp"
 #include "core/surface/surface.hpp"
 
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@ struct NamedNumber {
     int length = 0; ///< the power of the unit of length in its unit
     int time = 0;   ///< the power of the unit of time
     double value = not_known;
+    std::string unit{}; ///< of a field; these have no powers
 };
 
 /// The numbers of one state.
@@ -38,12 +41,14 @@ struct SurfaceNumbers {
 class MeasuredSurface {
   public:
     /// @param state  with `ended` if it is not of the plan's end; with its interval errors if there are any
-    /// @param times  as vertex_times
+    /// @param times   as vertex_times
+    /// @param fields  whose means are wanted; each is sampled here, once
     /// REQUIRES: the plan asks for tangents, unless it is of a level surface. Error: OverLimit, Cancelled, what sampling
     /// reports. Cost: as tessellate in two pieces, and some thousand samples.
     static Result<MeasuredSurface> of(const SurfacePlan& plan,
                                       const Surface& state,
                                       std::vector<double> times,
+                                      std::span<const AveragedField> fields,
                                       const std::stop_token& stop,
                                       const WorkPart& work = {});
 
@@ -55,7 +60,8 @@ class MeasuredSurface {
   private:
     struct Mesh {
         QuadComplex mesh;
-        std::vector<double> ages; ///< empty: it has none
+        std::vector<double> ages;                 ///< empty: it has none
+        std::vector<std::vector<float>> values{}; ///< of each field that is averaged
     };
 
     friend class NumbersOfState;
@@ -63,6 +69,7 @@ class MeasuredSurface {
     SurfacePlan plan_;
     SurfaceStatistics statistics_;
     double time_ = 0.0;
+    std::vector<AveragedField> fields_;
     Mesh whole_;
     std::optional<Mesh> halved_;
     std::optional<ErrorSpreader> spreader_;

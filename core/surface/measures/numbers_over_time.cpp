@@ -22,6 +22,7 @@ void add_row(NumberTable& table, SurfaceNumbers&& numbers) {
 Result<MeasuredSurface> measured(const SurfacePlan& plan,
                                  Surface& state,
                                  std::vector<double> times,
+                                 std::span<const AveragedField> fields,
                                  const std::stop_token& stop,
                                  const WorkPart& work) {
     if (const auto stated = state_interval_errors(plan, state, stop, work); !stated) {
@@ -30,7 +31,7 @@ Result<MeasuredSurface> measured(const SurfacePlan& plan,
         state.mesh.interval_error.clear();
         state.statistics.interval_left_out = stated.error().message;
     }
-    return MeasuredSurface::of(plan, state, std::move(times), stop, work);
+    return MeasuredSurface::of(plan, state, std::move(times), fields, stop, work);
 }
 
 } // namespace
@@ -38,6 +39,7 @@ Result<MeasuredSurface> measured(const SurfacePlan& plan,
 Result<NumberTable> numbers_over_time(SurfacePlan plan,
                                       std::span<const double> times,
                                       const std::optional<Region>& through,
+                                      std::span<const AveragedField> fields,
                                       const Clock& clock,
                                       const std::stop_token& stop,
                                       const WorkPart& work) {
@@ -48,7 +50,7 @@ Result<NumberTable> numbers_over_time(SurfacePlan plan,
         auto whole = build_surface(plan, stop, clock, work);
         if (!whole)
             return tl::unexpected(whole.error());
-        const auto ready = measured(plan, *whole, vertex_times(*whole, p), stop, work);
+        const auto ready = measured(plan, *whole, vertex_times(*whole, p), fields, stop, work);
         if (!ready)
             return tl::unexpected(ready.error());
         for (const double time : times) {
@@ -70,7 +72,7 @@ Result<NumberTable> numbers_over_time(SurfacePlan plan,
         Surface surface{std::move(state->mesh.mesh), std::move(state->statistics),
                         p.from + time_sign(p) * age_at(p, time)};
         const std::size_t before = work.memory() != nullptr ? work.memory()->bytes() : 0;
-        const auto ready = measured(plan, surface, std::move(state->times), stop, work);
+        const auto ready = measured(plan, surface, std::move(state->times), fields, stop, work);
         if (!ready)
             return tl::unexpected(ready.error());
         auto numbers = ready->numbers(age_at(p, time), through, stop);

@@ -20,7 +20,7 @@ namespace wakesurf::core {
 struct NumberTable {
     std::vector<NamedNumber> columns;            ///< their values are those of the last row
     std::vector<std::vector<double>> rows;       ///< not_known where a number is not
-    std::vector<std::vector<std::string>> notes; ///< of each row
+    std::vector<std::vector<std::string>> notes; ///< of each row; empty: nothing is said
     SurfaceStatistics statistics;                ///< of the last time
 };
 
@@ -28,12 +28,14 @@ struct NumberTable {
 ///
 /// @param times    at least one, in the order in which the surface moves; of a stream surface `from` plus the age
 /// @param through  nothing: what needs a plane or a box is left out
+/// @param fields   whose means over the surface are wanted
 /// Error: as Evolution and MeasuredSurface; where the errors between stored times cannot be estimated, the notes say why.
 /// Cost: as the surface, that of stating its interval errors (of streak and time surfaces at each time) and of
 /// MeasuredSurface. The same numbers for any number of threads.
 Result<NumberTable> numbers_over_time(SurfacePlan plan,
                                       std::span<const double> times,
                                       const std::optional<Region>& through,
+                                      std::span<const AveragedField> fields,
                                       const Clock& clock,
                                       const std::stop_token& stop,
                                       const WorkPart& work = {});

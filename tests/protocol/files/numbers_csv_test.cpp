@@ -28,6 +28,13 @@ TEST(NumbersCsv, HasNoUnitsWhereTheDataHaveNone) {
     EXPECT_TRUE(numbers_csv(table(), "m", "").starts_with("time,area [m^2],flux,entered,notes\n"));
 }
 
+TEST(NumbersCsv, HasTheUnitOfAFieldAndNoNotesWhereNothingIsSaid) {
+    core::NumberTable samples;
+    samples.columns = {{"x", 1, 0}, {"mean_p", 0, 0, core::not_known, "Pa"}};
+    samples.rows = {{0.5, 2.0}, {1.0, core::not_known}};
+    EXPECT_EQ(numbers_csv(samples, "m", "s"), "x [m],mean_p [Pa]\n0.5,2\n1,\n");
+}
+
 TEST(NumbersCsv, QuotesUnitsThatAStrangerWrote) {
     EXPECT_TRUE(
         numbers_csv(table(), "a,\"b", "s").starts_with("time [s],\"area [a,\"\"b^2]\",\"flux"));

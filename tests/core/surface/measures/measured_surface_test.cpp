@@ -38,13 +38,14 @@ Told told(const char* flow,
           const Rake& rake,
           SurfaceParameters p,
           const std::optional<Region>& through = {},
-          std::optional<double> time = {}) {
+          std::optional<double> time = {},
+          const std::vector<AveragedField>& fields = {}) {
     p.angle = 180.0;
     p.merge = 0.0;
     const std::shared_ptr<const Flow> there = *make_analytic_flow(flow);
     const std::vector<double> times{time.value_or(p.to)};
     const auto table =
-        numbers_over_time(*plan_surface(there, rake, p), times, through, SteadyClock{}, {});
+        numbers_over_time(*plan_surface(there, rake, p), times, through, fields, SteadyClock{}, {});
     EXPECT_TRUE(table) << table.error().message;
     Told out;
     for (std::size_t i = 0; i < table->columns.size(); ++i)
@@ -70,7 +71,47 @@ double helicoid(double t) {
     return t * (integral(2.0) - integral(0.5));
 }
 
+/// A field of places alone.
+template <class Function>
+AveragedField field_of(const std::string& name, const Function& function) {
+    return {name, "K",
+            [function](const QuadComplex& mesh, const std::vector<double>& times,
+                       const std::stop_token&) -> Result<std::vector<float>> {
+                EXPECT_EQ(times.size(), mesh.vertices());
+                std::vector<float> out;
+                for (const Vec3& p : mesh.position)
+                    out.push_back(static_cast<float>(function(p)));
+                return out;
+            }};
+}
+
 } // namespace
+
+TEST(MeasuredSurface, TheMeanOfAFieldIsByArea) {
+    // An annulus from 0.5 to 2: the mean of r is 2/3 (2^3 - 0.5^3) / (2^2 - 0.5^2), of its half with x > 0 the same.
+    const auto radius = [](const Vec3& p) { return std::hypot(p.x, p.y); };
+    const Told found =
+        told("rotation?w=0", radial, {.to = 2.0 * pi, .separation = 0.05},
+             Region(Box{{0.0, -3.0, -1.0}, {3.0, 3.0, 1.0}}), {},
+             {field_of("radius", radius), field_of("x", [](const Vec3& p) { return p.x; })});
+    EXPECT_NEAR(found["mean_radius"], 1.4, 1e-3);
+    EXPECT_NEAR(found["inside_mean_radius"], 1.4, 1e-3);
+    EXPECT_NEAR(found["mean_x"], 0.0, 1e-3);
+    EXPECT_NEAR(found["inside_mean_x"], 1.4 * 2.0 / pi, 2e-3);
+}
+
+TEST(MeasuredSurface, TheMeanOfAFieldWithGapsSaysOnHowMuchItIsKnown) {
+    const auto half = [](const Vec3& p) { return p.y > 0.0 ? 3.0 : not_known; };
+    const Told found = told("rotation?w=0", radial, {.to = 2.0 * pi, .separation = 0.05}, {}, {},
+                            {field_of("half", half)});
+    EXPECT_NEAR(found["mean_half"], 3.0, 1e-6);
+    EXPECT_TRUE(found.notes_say("half is known on 49 % of the area") ||
+                found.notes_say("half is known on 50 % of the area"));
+    const Told none = told("rotation?w=0", radial, {.to = 1.0, .separation = 0.1}, {}, {},
+                           {field_of("none", [](const Vec3&) { return not_known; })});
+    EXPECT_TRUE(std::isnan(none["mean_none"]));
+    EXPECT_TRUE(none.notes_say("none is known on 0 % of the area"));
+}
 
 TEST(MeasuredSurface, AreaIsOfFourthOrder) {
     std::vector<double> off;

@@ -57,6 +57,14 @@ it('along a line there are gaps where there is no fluid, and the axis is the dis
     ]);
 });
 
+it('begins with what the surface is coloured by', async () => {
+    const { bench, plots } = opened();
+    bench.view.changeLook(bench.state.activeSurface.value!, { colourBy: 'field:p' });
+    bench.view.plot.value = 'rake';
+    await settled();
+    expect(plots.drawn.value.map(({ name }) => name)).toEqual(['p']);
+});
+
 it('along the rake follows the rake, with the newest of what changes asked for next', async () => {
     const { bench, plots } = opened();
     bench.view.plot.value = 'rake';

@@ -10,8 +10,9 @@ import type { WorkerClient } from '../../worker/workerClient.ts';
 import { CallError } from '../../worker/workerClient.ts';
 import type { MeshDownload } from '../out/meshDownload.ts';
 import { ownerName } from '../picture/surfaceOwner.ts';
+import { attributeOf } from '../picture/surfaceStyleOf.ts';
 import { coordinateText, timeWords } from '../picture/writtenNumbers.ts';
-import { type NumberTable, readNumbers } from '../surface/numberTable.ts';
+import { averagedFields, type NumberTable, readNumbers } from '../surface/numberTable.ts';
 import { dataTime } from '../time/timeSteps.ts';
 import type { Plot } from './plot.ts';
 import { type PointsAlong, pointsAlong } from './plotLine.ts';
@@ -71,12 +72,17 @@ export class Plots {
         return dataset === null ? [] : quantitiesOf(dataset);
     });
 
-    /** Those that are drawn, in the order in which they were chosen, so that a line keeps its colour. */
+    /** Those that are drawn, in the order in which they were chosen, so that a line keeps its colour; else what the surface is coloured by. */
     readonly drawn = computed((): readonly Quantity[] => {
         const all = this.quantities.value;
         const names = this.chosen.value[this.options.view.plot.value === 'surface' ? 'surface' : 'data'];
         const found = names.map((name) => all.find((each) => each.name === name)).filter((each) => each !== undefined);
-        return found.length > 0 ? found : all.slice(0, 1);
+        if (found.length > 0) return found;
+        const { state, view } = this.options;
+        const surface = state.activeSurface.value;
+        const coloured = surface === null ? null : attributeOf(view.lookOf(surface).colourBy);
+        const first = all.find(({ name }) => name === coloured) ?? all[0];
+        return first === undefined ? [] : [first];
     });
 
     choose(name: string, on: boolean): void {
@@ -235,7 +241,8 @@ export class Plots {
         const record = state.surface.value;
         const displayed = state.displayed.value.get(record?.surface ?? '');
         const complete = state.phase.value === 'final' || state.phase.value === 'coarsened';
-        const of = `surface ${record?.surface} ${record?.epoch}`;
+        const fields = record === undefined ? [] : averagedFields(state.dataset.value, record);
+        const of = `surface ${record?.surface} ${record?.epoch} ${fields.join()}`;
         if (record === undefined) {
             this.begin(of);
             return this.show(null, 'There is no surface.');
@@ -247,16 +254,16 @@ export class Plots {
             return this.show(plotOfNumbers(table.table, this.drawn.value, title), '');
         }
         if (!complete || displayed === undefined) return untracked(() => this.show(null, 'Once the surface is complete.'));
-        if (of !== this.asked) untracked(() => void this.askNumbers(of, this.begin(of)));
+        if (of !== this.asked) untracked(() => void this.askNumbers(of, fields, this.begin(of)));
     }
 
-    private async askNumbers(of: string, signal: AbortSignal): Promise<void> {
+    private async askNumbers(of: string, fields: readonly string[], signal: AbortSignal): Promise<void> {
         const { state, mesh } = this.options;
         const { from, to, surface } = state.surface.value!;
         if (!(Math.abs(to - from) > 0)) return this.show(null, 'This surface has one time: there is nothing to plot over time.');
         this.show(null, 'Being computed …');
         const times = `${from}:${to}:${Math.abs(to - from) / numberTimes}`;
-        const { text, fault } = await mesh.numbers(state.session.value ?? '', surface, { times }, signal);
+        const { text, fault } = await mesh.numbers(state.session.value ?? '', surface, { times, fields: fields.join() }, signal);
         if (signal.aborted) return;
         if (text === null) this.show(null, fault);
         else this.table.value = { of, table: readNumbers(text) };

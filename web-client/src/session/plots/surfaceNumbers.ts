@@ -4,7 +4,7 @@ import type { Plot, Series } from './plot.ts';
 import type { Quantity } from './quantities.ts';
 
 /** What is a number's own error, or a time, is no line. */
-const noLine = /(_error|_interval_error)$|^(time|age|from|to)$/;
+const noLine = /^(?!(inside_)?mean_).*_error$|^(time|age|from|to)$/;
 
 /** Those that are known at some time. */
 export function quantitiesIn({ units, rows }: NumberTable): Quantity[] {

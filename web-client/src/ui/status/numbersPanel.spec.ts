@@ -43,11 +43,11 @@ describe('the numbers of a surface', () => {
         expect(asked).toEqual([]);
         await opened();
         await rested();
-        expect(asked).toEqual([{}]);
+        expect(asked).toEqual([{ fields: 'U' }]);
         await arrived(2, 'coarse');
-        expect(asked).toEqual([{}]);
+        expect(asked).toHaveLength(1);
         await arrived(3);
-        expect(asked).toEqual([{}, {}]);
+        expect(asked).toHaveLength(2);
     });
 
     it('have their error, no error that is not known, and say why', async () => {
@@ -66,7 +66,7 @@ describe('the numbers of a surface', () => {
         field.value = ' ball:1 ';
         field.dispatchEvent(new Event('change'));
         await rested();
-        expect(asked.at(-1)).toEqual({ through: 'ball:1' });
+        expect(asked.at(-1)).toMatchObject({ through: 'ball:1' });
         expect(panel.get<HTMLElement>('[role=alert]').textContent).toBe('it is neither');
     });
 });

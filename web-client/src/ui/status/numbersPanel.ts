@@ -5,7 +5,7 @@ import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
-import { type NumberTable, readNumbers } from '../../session/surface/numberTable.ts';
+import { averagedFields, type NumberTable, readNumbers } from '../../session/surface/numberTable.ts';
 import type { AppState } from '../../state/appState.ts';
 import { fileName, saveFile } from '../base/copyAndSave.ts';
 import { ModelElement } from '../base/signalElement.ts';
@@ -81,7 +81,7 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
         const id = state.activeSurface.value ?? '';
         const displayed = state.displayed.value.get(id);
         const complete = state.phase.value === 'final' || state.phase.value === 'coarsened';
-        const of = `${id} ${displayed?.stateSum ?? ''} ${this.through.value}`;
+        const of = `${id} ${displayed?.stateSum ?? ''} ${JSON.stringify(this.query())}`;
         if (this.open.value && complete && displayed !== undefined) this.ask(id, of);
         return html`<details id="numbers" @toggle=${(event: Event) => (this.open.value = (event.target as HTMLDetailsElement).open)}>
             <summary class="quiet">Numbers</summary>
@@ -103,7 +103,7 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
             /></label>
             ${now === null ? html`<p class="quiet">${complete ? 'Being computed …' : 'Once the surface is complete.'}</p>` : nothing}
             ${now?.fault ? html`<p class="problem" role="alert">${now.fault}</p>` : nothing}
-            ${now?.table ? list(now.table) : nothing}
+            ${now?.table ? list(now.table, this.model.state.dataset.value?.velocity) : nothing}
             <button type="button" ?disabled=${!complete} @click=${() => this.save()}>CSV over time</button>`;
     }
 
@@ -124,7 +124,12 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
     }
 
     private query(): Record<string, string> {
-        return this.through.value === '' ? {} : { through: this.through.value };
+        const { dataset, surface } = this.model.state;
+        const fields = surface.value === undefined ? [] : averagedFields(dataset.value, surface.value);
+        return {
+            ...(fields.length === 0 ? {} : { fields: fields.join() }),
+            ...(this.through.value === '' ? {} : { through: this.through.value }),
+        };
     }
 
     private async save(): Promise<void> {
@@ -141,8 +146,23 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
     }
 }
 
+/** "Mean speed", "Mean of p", "Mean of p inside". */
+function means({ units }: NumberTable, velocity: string | undefined): { name: string; words: string; error?: string }[] {
+    return [...units.keys()].flatMap((name) => {
+        const found = /^(inside_)?mean_(.*)$/s.exec(name);
+        return found === null
+            ? []
+            : [
+                  {
+                      name,
+                      words: `Mean ${found[2] === velocity ? 'speed' : `of ${found[2]}`}${found[1] === undefined ? '' : ' inside'}`,
+                  },
+              ];
+    });
+}
+
 /** The last row: "3.21 ± 0.02 m^2", and what the stored times add to that. */
-function list(table: NumberTable): TemplateResult {
+function list(table: NumberTable, velocity: string | undefined): TemplateResult {
     const row = table.rows.at(-1) ?? new Map<string, number>();
     const note = table.notes.at(-1) ?? '';
     const value = (name: string, error?: string): string => {
@@ -155,7 +175,7 @@ function list(table: NumberTable): TemplateResult {
         return withUnit(`${shortNumber(row.get(name) ?? Number.NaN)}${own}${stored}`, unit);
     };
     return html`<dl>
-            ${shown
+            ${[...shown, ...means(table, velocity)]
                 .filter(({ name }) => Number.isFinite(row.get(name)))
                 .map(
                     ({ name, words, error }) =>
