@@ -186,6 +186,28 @@ void add_lines_options(CLI::App& command, LinesOptions& options);
 /// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
 int run_lines(const LinesOptions& options);
 
+// `wakesurf probe`: fields at points, along a line or over time, as CSV, without a server.
+
+/// Holds the options as given; run_probe checks the texts.
+struct ProbeOptions {
+    std::string dataset;
+    std::vector<std::string> at;     ///< points
+    std::string line;                ///< corners; empty: points
+    std::size_t points = 401;        ///< along the line
+    std::vector<std::string> fields; ///< empty: the speed and the velocity
+    std::optional<double> time;      ///< nothing: the last
+    std::string times;               ///< FIRST:LAST:EVERY or "stored"; empty: one time
+    std::string output;              ///< empty: standard output
+    std::uint64_t memory = 0;        ///< 0: by the machine and the control group
+    std::string store;
+    command::SourceOptions taken;
+};
+
+void add_probe_options(CLI::App& command, ProbeOptions& options);
+
+/// Returns the exit status: 0 done, 1 failed, 2 wrong usage; says why on standard error.
+int run_probe(const ProbeOptions& options);
+
 // `wakesurf body`: writes the walls of a dataset with values beside them, without a server.
 
 struct BodyOptions {

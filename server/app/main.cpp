@@ -163,6 +163,11 @@ int run(int argc, char** argv) {
     add_lines_options(*command("lines", "Write streamlines of a dataset to a file",
                                [&] { return run_lines(lines); }),
                       lines);
+    ProbeOptions probe;
+    add_probe_options(*command("probe",
+                               "Print fields of a dataset at points, along a line or over time",
+                               [&] { return run_probe(probe); }),
+                      probe);
     BodyOptions body;
     add_body_options(*command("body", "Write the walls of a dataset, with values, to a file",
                               [&] { return run_body(body); }),

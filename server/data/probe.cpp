@@ -1,9 +1,7 @@
-#include "server/live/probe.hpp"
+#include "server/data/probe.hpp"
 
-#include "core/base/either_stop.hpp"
 #include "core/base/rounding.hpp"
 #include "core/field/sampled_field.hpp"
-#include "server/data/dataset_suggestion.hpp"
 #include "server/data/node_fields.hpp"
 
 #include <fmt/format.h>
@@ -32,22 +30,21 @@ inside(const core::Flow& flow, const ProbeRequest& request, const std::stop_toke
     });
 }
 
-core::Result<ProbeField> sample(const OpenDataset& dataset,
+core::Result<ProbeField> sample(const ProbedData& data,
                                 const std::string& name,
                                 const std::vector<core::Vec3>& places,
                                 double time,
                                 const std::stop_token& stop) {
-    if (name == dataset.info.velocity) {
+    if (name == data.info.velocity) {
         ProbeField out{name, std::vector<core::Vec3>(places.size()), {}};
         const std::vector<double> times(places.size(), time);
-        return dataset.flow->sample(places, times, out.vectors, stop).map([&] {
+        return data.flow.sample(places, times, out.vectors, stop).map([&] {
             return std::move(out);
         });
     }
-    return find_node_field(name, dataset.info, dataset.scalars.get(), "fields")
+    return find_node_field(name, data.info, data.scalars, "fields")
         .and_then([&](const NodeField& field) {
-            return core::sample_field(sampled(field, dataset.scalars.get()), *dataset.flow, places,
-                                      time, stop);
+            return core::sample_field(sampled(field, data.scalars), data.flow, places, time, stop);
         })
         .map([&](std::vector<float> values) {
             return ProbeField{name, {}, std::move(values)};
@@ -70,17 +67,17 @@ spread(const std::vector<Value>& values, const std::vector<bool>& inside, const 
 } // namespace
 
 core::Result<ProbeResult>
-probe(const OpenDataset& dataset, const ProbeRequest& asked, const std::stop_token& stop) {
+probe(const ProbedData& data, const ProbeRequest& asked, const std::stop_token& stop) {
     ProbeRequest request = asked;
     for (core::Vec3& point : request.points)
-        point = core::onto_faces(point, dataset.flow->domain());
-    if (const auto range = dataset.flow->time_bounds();
+        point = core::onto_faces(point, data.flow.domain());
+    if (const auto range = data.flow.time_bounds();
         range && !core::within_rounding(request.time, (*range)[0], (*range)[1]))
         return fail(Error::Code::OutOfTime,
                     fmt::format("time {} is outside the data's {} to {}", request.time, (*range)[0],
                                 (*range)[1]),
                     "choose `time` inside it");
-    auto found = inside(*dataset.flow, request, stop);
+    auto found = inside(data.flow, request, stop);
     if (!found)
         return tl::unexpected(found.error());
     ProbeResult result{std::move(*found), {}};
@@ -88,47 +85,19 @@ probe(const OpenDataset& dataset, const ProbeRequest& asked, const std::stop_tok
     for (std::size_t i = 0; i < result.inside.size(); ++i)
         if (result.inside[i])
             places.push_back(request.points[i]);
-    const auto wanted =
-        request.fields.empty() ? std::vector{dataset.info.velocity} : request.fields;
+    const auto wanted = request.fields.empty() ? std::vector{data.info.velocity} : request.fields;
     for (const std::string& name : wanted) {
-        auto field = sample(dataset, name, places, request.time, stop);
+        auto field = sample(data, name, places, request.time, stop);
         if (!field)
             return tl::unexpected(field.error());
         constexpr float nothing = std::numeric_limits<float>::quiet_NaN();
-        if (name == dataset.info.velocity)
+        if (name == data.info.velocity)
             field->vectors = spread(field->vectors, result.inside, core::Vec3(nothing));
         else
             field->scalars = spread(field->scalars, result.inside, nothing);
         result.fields.push_back(std::move(*field));
     }
     return result;
-}
-
-void Prober::ask(OpenDataset dataset,
-                 ProbeRequest request,
-                 const std::string& line,
-                 const std::stop_token& unwanted,
-                 std::function<void(core::Result<ProbeResult>)> answer) {
-    compute<ProbeResult>(
-        loop_, pool_, line,
-        [dataset = std::move(dataset), request = std::move(request),
-         stop = std::make_shared<core::EitherStop>(stop_.get_token(), unwanted)] {
-            return probe(dataset, request, stop->token());
-        },
-        std::move(answer));
-}
-
-void Prober::suggest(OpenDataset dataset,
-                     const std::string& line,
-                     const std::stop_token& unwanted,
-                     std::function<void(core::Result<core::SceneSuggestion>)> answer) {
-    compute<core::SceneSuggestion>(
-        loop_, pool_, line,
-        [dataset = std::move(dataset),
-         stop = std::make_shared<core::EitherStop>(stop_.get_token(), unwanted)] {
-            return suggest_for(dataset.info, *dataset.flow, dataset.store.get(), stop->token());
-        },
-        std::move(answer));
 }
 
 } // namespace wakesurf::server

@@ -46,7 +46,7 @@ core::Result<std::vector<double>> times_in(const SeriesTimes& times,
     for (const double time : {first, last})
         if (!core::within_rounding(time, low, high))
             return core::fail(core::Error::Code::InvalidArgument,
-                              fmt::format("{}: {} is outside the times of the surface, {} to {}",
+                              fmt::format("{}: {} is outside {} to {}, the times that there are",
                                           option, core::time_text(time), core::time_text(p.from),
                                           core::time_text(p.to)),
                               "choose times inside them, or other `from` and `to`");

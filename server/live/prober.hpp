@@ -1,42 +1,18 @@
-// A dataset's fields at points and one time: the answer of probe.sample.
+// Answers probe.sample and dataset.suggest from the compute threads.
 #pragma once
 
 #include "core/base/result.hpp"
-#include "core/base/vec3.hpp"
 #include "core/surface/suggestion/scene_suggestion.hpp"
 #include "server/data/datasets.hpp"
+#include "server/data/probe.hpp"
 #include "server/live/compute/background.hpp"
 
 #include <functional>
 #include <memory>
 #include <stop_token>
 #include <string>
-#include <vector>
 
 namespace wakesurf::server {
-
-struct ProbeRequest {
-    std::vector<core::Vec3> points;
-    double time = 0.0;
-    std::vector<std::string>
-        fields; ///< the velocity as vectors, any other as find_node_field; empty: the velocity
-};
-
-struct ProbeField {
-    std::string name;
-    std::vector<core::Vec3> vectors; ///< of the velocity, NaN outside; else empty
-    std::vector<float> scalars;      ///< NaN outside
-};
-
-struct ProbeResult {
-    std::vector<bool> inside; ///< in the fluid
-    std::vector<ProbeField> fields;
-};
-
-/// Interpolates like the engine, linear in time; what is made of the velocity as core::sample_field does. Blocks while time-steps load.
-/// Error: OutOfTime, NotFound (a field), that of reading.
-core::Result<ProbeResult>
-probe(const OpenDataset& dataset, const ProbeRequest& request, const std::stop_token& stop);
 
 /// Probes on the compute threads. Loop thread only.
 class Prober {

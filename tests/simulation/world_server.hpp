@@ -3,7 +3,7 @@
 #pragma once
 
 #include "server/live/compute/compute_pool.hpp"
-#include "server/live/probe.hpp"
+#include "server/live/prober.hpp"
 #include "server/net/methods/dispatcher.hpp"
 #include "server/sessions/people/grants.hpp"
 #include "server/sessions/session_directory.hpp"

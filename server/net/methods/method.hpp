@@ -9,7 +9,7 @@
 #include "server/base/metrics.hpp"
 #include "server/data/datasets.hpp"
 #include "server/live/compute/budgets.hpp"
-#include "server/live/probe.hpp"
+#include "server/live/prober.hpp"
 #include "server/net/methods/client.hpp"
 #include "server/sessions/people/grants.hpp"
 #include "server/sessions/session_directory.hpp"

@@ -78,9 +78,9 @@ TEST(SeriesRequest, GoesBackInTimeWithTheSurface) {
 
 TEST(SeriesRequest, RefusesTimesOutsideTheSurfaceAndTooManyOfThem) {
     EXPECT_EQ(times_refusal("0:25:1", 0, 20),
-              "--times: 25 is outside the times of the surface, 0 to 20");
+              "--times: 25 is outside 0 to 20, the times that there are");
     EXPECT_EQ(times_refusal("-1:20:1", 0, 20),
-              "--times: -1 is outside the times of the surface, 0 to 20");
+              "--times: -1 is outside 0 to 20, the times that there are");
     EXPECT_NE(times_refusal("0:20:1e-9", 0, 20).find("at most 10000"), std::string::npos);
     EXPECT_NE(times_refusal("0:20:1e-300", 0, 20).find("at most 10000"), std::string::npos);
     EXPECT_EQ(value_of(times("0:1:0.0001000100010001", 0, 20)).size(), 10000u);
