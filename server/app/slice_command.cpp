@@ -8,13 +8,13 @@
 #include "server/app/stop_tokens.hpp"
 #include "server/base/limits.hpp"
 #include "server/base/process_account.hpp"
-#include "server/data/node_fields.hpp"
 #include "server/data/region_text.hpp"
-#include "server/data/subtracted_field.hpp"
+#include "server/data/slice_field.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -40,6 +40,23 @@ std::string minus_words(const SliceOptions& options, double time) {
     return " (" + options.minus + (then.empty() ? ")" : ", " + then + ")");
 }
 
+/// Times each other, mean and area are the integral: of the velocity across the plane, what flows through it.
+std::string numbers_words(const core::SliceRaster& raster) {
+    if (!raster.range)
+        return "none with a value";
+    double sum = 0.0;
+    std::size_t known = 0;
+    for (const float value : raster.values)
+        if (std::isfinite(value)) {
+            sum += value;
+            ++known;
+        }
+    const double area = glm::length(raster.window.across) * glm::length(raster.window.up) *
+                        static_cast<double>(known) / static_cast<double>(raster.values.size());
+    return fmt::format("{:.4g} to {:.4g}, mean {:.6g} over the area {:.6g}", (*raster.range)[0],
+                       (*raster.range)[1], sum / static_cast<double>(known), area);
+}
+
 /// Data at a time.
 struct DataThen {
     const LoadedDataset& dataset;
@@ -58,21 +75,18 @@ Result<std::vector<protocol::NamedRaster>> sample_fields(const SliceOptions& opt
         names = {dataset.info.velocity};
     std::vector<protocol::NamedRaster> out;
     for (const std::string& name : names) {
-        const auto field = find_node_field(name, dataset.info, dataset.scalars.get());
+        const auto field = slice_field(name, dataset.info, dataset.scalars.get(), plane.normal);
         if (!field)
             return tl::unexpected(field.error());
         const ElapsedLine progress("sampling " + name);
-        auto raster = core::sample_slice(
-            {plane, sampled(*field, dataset.scalars.get()), data.time, options.samples},
-            *dataset.flow, stop);
+        auto raster =
+            core::sample_slice({plane, *field, data.time, options.samples}, *dataset.flow, stop);
         if (raster && minus != nullptr)
             raster = subtracted_field(name, dataset.info, minus->dataset.info,
-                                      minus->dataset.scalars.get())
-                         .and_then([&](const NodeField& there) {
+                                      minus->dataset.scalars.get(), plane.normal)
+                         .and_then([&](const core::SampledField& there) {
                              return core::slice_minus(*raster,
-                                                      {plane,
-                                                       sampled(there, minus->dataset.scalars.get()),
-                                                       minus->time, options.samples},
+                                                      {plane, there, minus->time, options.samples},
                                                       *minus->dataset.flow, stop);
                          });
         if (!raster)
@@ -136,11 +150,8 @@ Result<void> make(const SliceOptions& options, const std::stop_token& stop) {
                                       : protocol::slice_vts(*fields, *time))
         .map([&] {
             for (const protocol::NamedRaster& each : *fields) {
-                const auto& range = each.raster.range;
                 tell("{}: {}, t = {:g}, {} x {} samples, {}\n", options.output, each.name, *time,
-                     columns, rows,
-                     range ? fmt::format("{:.4g} to {:.4g}", (*range)[0], (*range)[1])
-                           : "none with a value");
+                     columns, rows, numbers_words(each.raster));
             }
         });
 }

@@ -2,6 +2,7 @@
 
 #include "server/data/node_fields.hpp"
 #include "server/data/open_dataset.hpp"
+#include "server/data/slice_field.hpp"
 #include "server/net/download_request.hpp"
 
 #include <fmt/format.h>
@@ -39,8 +40,10 @@ std::string values_tag(const std::string& id,
                        data.scalars ? data.scalars->mark() : "", field, time);
 }
 
-core::Result<FieldAtTime>
-field_at(const std::string& field, std::optional<double> time, const FieldSource& source) {
+core::Result<FieldAtTime> field_at(const std::string& field,
+                                   std::optional<double> time,
+                                   const FieldSource& source,
+                                   const std::optional<core::Vec3>& normal) {
     const auto dataset = source.catalogue.find(source.dataset);
     if (!dataset)
         return tl::unexpected(dataset.error());
@@ -49,11 +52,16 @@ field_at(const std::string& field, std::optional<double> time, const FieldSource
     const auto at = time_of(time, data);
     if (!at)
         return tl::unexpected(at.error());
-    return find_node_field(field.empty() ? data.info.velocity : field, data.info, scalars)
-        .map([&](const NodeField& found) {
-            return FieldAtTime{*dataset, sampled(found, scalars), found.name, *at,
-                               values_tag(source.dataset, data, found.name, *at)};
-        });
+    const std::string& name = field.empty() ? data.info.velocity : field;
+    const auto found =
+        normal ? slice_field(name, data.info, scalars, *normal)
+               : find_node_field(name, data.info, scalars).map([&](const NodeField& node_field) {
+                     return sampled(node_field, scalars);
+                 });
+    return found.map([&](const core::SampledField& sampled_field) {
+        return FieldAtTime{*dataset, sampled_field, name, *at,
+                           values_tag(source.dataset, data, name, *at)};
+    });
 }
 
 void FieldDownloads::get(const HttpRequest& request,

@@ -43,10 +43,13 @@ struct FieldAtTime {
     std::string tag; ///< values_tag
 };
 
-/// @param field  empty: the velocity. Error: NotFound, saying what there is; InvalidArgument where the flow has several times and none is
+/// @param field   empty: the velocity
+/// @param normal  of the plane that shows it, which has the velocity across it; null: there is none. Error: NotFound, saying what there is; InvalidArgument where the flow has several times and none is
 /// given.
-core::Result<FieldAtTime>
-field_at(const std::string& field, std::optional<double> time, const FieldSource& source);
+core::Result<FieldAtTime> field_at(const std::string& field,
+                                   std::optional<double> time,
+                                   const FieldSource& source,
+                                   const std::optional<core::Vec3>& normal = {});
 
 /// A file that can be made.
 struct FieldFile {

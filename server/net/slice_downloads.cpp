@@ -7,7 +7,7 @@
 #include "server/data/node_fields.hpp"
 #include "server/data/open_dataset.hpp"
 #include "server/data/region_text.hpp"
-#include "server/data/subtracted_field.hpp"
+#include "server/data/slice_field.hpp"
 #include "server/net/download_request.hpp"
 
 #include <fmt/format.h>
@@ -114,11 +114,12 @@ subtracted(const SliceQuery& query, const FieldAtTime& from, const FieldSource& 
     const auto time = time_of(query.minus_time ? query.minus_time : query.time, data);
     if (!time)
         return tl::unexpected(time.error());
-    return subtracted_field(from.name, from.dataset->info, data.info, scalars)
-        .map([&](const NodeField& field) {
-            return Part{{{query.plane, sampled(field, scalars), *time, query.samples}, *found},
+    return subtracted_field(from.name, from.dataset->info, data.info, scalars, query.plane.normal)
+        .map([&](const core::SampledField& field) {
+            // The field is that of the tag before, by whatever name.
+            return Part{{{query.plane, field, *time, query.samples}, *found},
                         fmt::format("minus {}", values_tag(query.minus.value_or(source.dataset),
-                                                           data, field.name, *time))};
+                                                           data, from.name, *time))};
         });
 }
 
@@ -159,7 +160,7 @@ core::Result<FieldFile> plan_slice(const std::map<std::string, std::string>& que
     const auto wanted = read_slice_query(query);
     if (!wanted)
         return tl::unexpected(wanted.error());
-    const auto values = field_at(wanted->field, wanted->time, source);
+    const auto values = field_at(wanted->field, wanted->time, source, wanted->plane.normal);
     if (!values)
         return tl::unexpected(values.error());
     const core::Plane& plane = wanted->plane;

@@ -1,7 +1,7 @@
 // What of a session shows a field of a dataset beside its surfaces: slices and streamlines.
 #include "core/surface/slice/plane_window.hpp"
 #include "server/data/node_fields.hpp"
-#include "server/data/subtracted_field.hpp"
+#include "server/data/slice_field.hpp"
 #include "server/sessions/session.hpp"
 
 #include <fmt/format.h>
@@ -24,7 +24,22 @@ std::string& id_of(protocol::LinesRecord& record) {
     return record.lines;
 }
 
+/// The name of a field comes from the caller, as other arguments do.
+template <class Found>
+core::Result<void> check_found(const core::Result<Found>& field) {
+    if (field)
+        return {};
+    core::Error error = field.error();
+    if (error.code == Error::Code::NotFound)
+        error.code = Error::Code::InvalidArgument;
+    return tl::unexpected(std::move(error));
+}
+
 core::Result<void> check_lines(const protocol::LinesRecord& record, const OpenDataset& dataset) {
+    if (auto there =
+            check_found(find_node_field(record.field, dataset.info, dataset.scalars.get()));
+        !there)
+        return there;
     if (record.places.kind == core::LineSeeds::Kind::Walls && !dataset.info.obstacle)
         return fail(Error::Code::InvalidArgument, "`kind`: the data have no walls",
                     "release the lines from a line, a plane or a sphere");
@@ -49,13 +64,10 @@ core::Result<void> check_minus(const protocol::SliceRecord& record,
         record.minus ? datasets.open(*record.minus) : core::Result<OpenDataset>(dataset);
     if (!other)
         return tl::unexpected(other.error());
-    if (auto there =
-            subtracted_field(record.field, dataset.info, other->info, other->scalars.get());
-        !there) {
-        if (there.error().code == Error::Code::NotFound)
-            there.error().code = Error::Code::InvalidArgument;
-        return tl::unexpected(there.error());
-    }
+    if (auto there = check_found(subtracted_field(record.field, dataset.info, other->info,
+                                                  other->scalars.get(), record.normal));
+        !there)
+        return there;
     const std::vector<double>& times = other->info.times;
     const bool beside =
         record.minus_time && times.size() > 1 &&
@@ -81,10 +93,6 @@ Session::set_field_record(R record, bool is_new, const Author& author, const Che
         return tl::unexpected(open.error());
     if (record.field.empty())
         record.field = open->info.velocity;
-    if (auto there = find_node_field(record.field, open->info, open->scalars.get()); !there) {
-        there.error().code = Error::Code::InvalidArgument;
-        return tl::unexpected(there.error());
-    }
     if (auto sound = check(record, *open); !sound)
         return tl::unexpected(sound.error());
     if (is_new)
@@ -106,14 +114,18 @@ core::Result<protocol::SliceRecord> Session::set_slice(const protocol::SliceSett
                                        setting.minus,
                                        setting.minus_time,
                                        setting.minus_offset};
-    return set_field_record(record, !setting.slice, author,
-                            [this](const protocol::SliceRecord& made, const OpenDataset& dataset) {
-                                return core::plane_window({made.origin, made.normal},
-                                                          dataset.flow->domain())
-                                    .and_then([&](const core::PlaneWindow&) {
-                                        return check_minus(made, dataset, services_.datasets);
-                                    });
-                            });
+    return set_field_record(
+        record, !setting.slice, author,
+        [this](const protocol::SliceRecord& made, const OpenDataset& dataset) {
+            return check_found(
+                       slice_field(made.field, dataset.info, dataset.scalars.get(), made.normal))
+                .and_then([&] {
+                    return core::plane_window({made.origin, made.normal}, dataset.flow->domain());
+                })
+                .and_then([&](const core::PlaneWindow&) {
+                    return check_minus(made, dataset, services_.datasets);
+                });
+        });
 }
 
 core::Result<protocol::LinesRecord> Session::set_lines(const protocol::LinesSetting& setting,

@@ -58,6 +58,25 @@ TEST_F(SliceCommand, WritesStoredAndDerivedFieldsSideBySide) {
     EXPECT_EQ(rows, 256);
 }
 
+TEST_F(SliceCommand, HasTheVelocityAcrossAPlaneAtAnyAngle) {
+    // A rigid rotation about z: across a plane with the normal (1, 0, 1) the velocity is -y / sqrt(2).
+    const auto outcome =
+        run({"flow:rotation?w=0", "--plane", "0,0,0:1,0,1", "--time", "0", "--fields",
+             "velocity_normal", "--samples", "16", "-o", file("a.csv")});
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.errors;
+    std::ifstream stream(file("a.csv"));
+    std::string line;
+    std::getline(stream, line);
+    int rows = 0;
+    for (; std::getline(stream, line); ++rows) {
+        double x = 0, y = 0, z = 0, velocity = 0;
+        char comma = 0;
+        std::istringstream(line) >> x >> comma >> y >> comma >> z >> comma >> velocity;
+        EXPECT_NEAR(velocity, -y / std::sqrt(2.0), 1e-5);
+    }
+    EXPECT_GT(rows, 100);
+}
+
 TEST_F(SliceCommand, SubtractsAnotherDatasetAndSaysSoInTheNameOfTheField) {
     const auto outcome =
         run({"flow:rotation?omega=3", "--plane", "0,0,1:0,0,1", "--time", "0", "--fields",

@@ -11,6 +11,7 @@ const isosurfaceColours = ['#8fb8de', '#e0b478', '#93c9a1', '#d39ac0', '#b7a8e0'
 export function fieldWords(name: string, dataset: Pick<DatasetDescription, 'velocity'> | null): string {
     if (name === dataset?.velocity) return `${isolated(name)} (speed)`;
     if (name === 'q_criterion') return 'Vortices (Q)';
+    if (name === 'velocity_normal') return 'Velocity across the plane';
     return name === 'vorticity' ? 'Vorticity (magnitude)' : name;
 }
 

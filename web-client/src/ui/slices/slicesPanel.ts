@@ -28,6 +28,9 @@ export interface SlicesModel {
 
 type Bounds = readonly [number, number, number, number, number, number];
 
+/** The velocity along the normal of the plane. */
+const across = 'velocity_normal';
+
 const axes: readonly (readonly [string, Vec3])[] = [
     ['x', [1, 0, 0]],
     ['y', [0, 1, 0]],
@@ -107,7 +110,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
         const { origin, normal, field } = place;
         const look = view.slices.value;
         const longest = slices.arrows.longest.value.get(id);
-        const names = levelFields(dataset);
+        const names = [...levelFields(dataset), across];
         const choices = (names.includes(field) ? names : [field, ...names]).map((name) => ({
             value: name,
             words: fieldWords(name, dataset),
@@ -240,12 +243,13 @@ function numberWords(
 ): string {
     const short = (value: number): string => shortNumber(Number(value.toPrecision(3)));
     const axis = axes.findIndex(([name]) => field === `velocity_${name}`);
-    const unit = fields.find(({ name }) => name === (axis < 0 ? field : velocity))?.unit ?? '';
+    const isOfVelocity = axis >= 0 || field === across;
+    const unit = fields.find(({ name }) => name === (isOfVelocity ? velocity : field))?.unit ?? '';
     const said = `Mean ${withUnit(short(mean), unit)} over ${withUnit(short(area), length === '' ? '' : `${length}²`)}.`;
-    const isAcross = axis >= 0 && Math.abs(dot(unitOf(normal), axes[axis]![1])) > 1 - 1e-12;
+    const isAcross = field === across || (axis >= 0 && Math.abs(dot(unitOf(normal), axes[axis]![1])) > 1 - 1e-12);
     if (!isAcross || minus !== null) return said;
     const rate = unit !== '' && unit === `${length}/${time}` ? `${length}³/${time}` : '';
-    return `${said} ${withUnit(short(mean * area), rate)} flow through it in the direction of ${axes[axis]![0]}.`;
+    return `${said} ${withUnit(short(mean * area), rate)} flow through it in the direction of ${axis < 0 ? 'its normal' : axes[axis]![0]}.`;
 }
 
 function arrowWords(longest: number, { fields, velocity }: DatasetDescription): string {

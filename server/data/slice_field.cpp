@@ -1,4 +1,4 @@
-#include "server/data/subtracted_field.hpp"
+#include "server/data/slice_field.hpp"
 
 namespace wakesurf::server {
 
@@ -20,12 +20,27 @@ bool share_a_place(const core::Box& a, const core::Box& b) {
 
 } // namespace
 
-core::Result<NodeField> subtracted_field(const std::string& name,
-                                         const core::DatasetInfo& from,
-                                         const core::DatasetInfo& other,
-                                         const store::StoreScalars* scalars_of_other) {
+core::Result<core::SampledField> slice_field(const std::string& name,
+                                             const core::DatasetInfo& info,
+                                             const store::StoreScalars* scalars,
+                                             const core::Vec3& normal,
+                                             std::string_view parameter) {
+    const bool taken =
+        name == info.velocity || (scalars != nullptr && scalars->find(name).has_value());
+    if (name == velocity_normal_name && !taken)
+        return core::VelocityAlong{glm::normalize(normal)};
+    return find_node_field(name, info, scalars, parameter).map([&](const NodeField& field) {
+        return sampled(field, scalars);
+    });
+}
+
+core::Result<core::SampledField> subtracted_field(const std::string& name,
+                                                  const core::DatasetInfo& from,
+                                                  const core::DatasetInfo& other,
+                                                  const store::StoreScalars* scalars_of_other,
+                                                  const core::Vec3& normal) {
     const std::string there = name == from.velocity ? other.velocity : name;
-    auto field = find_node_field(there, other, scalars_of_other);
+    auto field = slice_field(there, other, scalars_of_other, normal);
     if (!field) {
         field.error().message = "in " + other.name + ", " + field.error().message;
         return field;

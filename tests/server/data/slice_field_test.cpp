@@ -1,9 +1,11 @@
-// Which fields may be subtracted from each other.
-#include "server/data/subtracted_field.hpp"
+// The velocity across a plane, and which fields may be subtracted from each other.
+#include "server/data/slice_field.hpp"
 
 #include <gtest/gtest.h>
 
-namespace wakesurf::server::subtracted_field_test {
+#include <variant>
+
+namespace wakesurf::server::slice_field_test {
 
 namespace {
 
@@ -24,7 +26,7 @@ data(const std::string& name, const std::string& velocity, const std::string& un
 
 std::string
 refusal(const std::string& field, const core::DatasetInfo& from, const core::DatasetInfo& other) {
-    const auto found = subtracted_field(field, from, other, nullptr);
+    const auto found = subtracted_field(field, from, other, nullptr, {0, 0, 1});
     return found ? "" : found.error().message;
 }
 
@@ -32,9 +34,21 @@ refusal(const std::string& field, const core::DatasetInfo& from, const core::Dat
 
 TEST(SubtractedField, IsTheVelocityOfTheOtherDataWhateverItIsCalled) {
     const auto found =
-        subtracted_field("U", data("a", "U", "m/s"), data("b", "velocity", ""), nullptr);
+        subtracted_field("U", data("a", "U", "m/s"), data("b", "velocity", ""), nullptr, {0, 0, 1});
     ASSERT_TRUE(found) << found.error().message;
-    EXPECT_EQ(found->source, NodeField::Source::Speed);
+    EXPECT_TRUE(std::holds_alternative<core::SpeedField>(*found));
+}
+
+TEST(SliceField, HasTheVelocityAcrossAPlaneWhereNoFieldHasThatName) {
+    const auto across = slice_field("velocity_normal", data("a", "U", ""), nullptr, {0, 3, 4});
+    ASSERT_TRUE(across) << across.error().message;
+    EXPECT_LT(
+        glm::length(std::get<core::VelocityAlong>(*across).direction - core::Vec3(0, 0.6, 0.8)),
+        1e-15);
+    const auto speed =
+        slice_field("velocity_normal", data("a", "velocity_normal", ""), nullptr, {0, 3, 4});
+    ASSERT_TRUE(speed);
+    EXPECT_TRUE(std::holds_alternative<core::SpeedField>(*speed));
 }
 
 TEST(SubtractedField, IsRefusedWhereItIsNotThereOrMeansSomethingElse) {
@@ -56,4 +70,4 @@ TEST(SubtractedField, IsRefusedWhereItIsNotThereOrMeansSomethingElse) {
     EXPECT_EQ(refusal("U", a, beside), "a and b have no place in common");
 }
 
-} // namespace wakesurf::server::subtracted_field_test
+} // namespace wakesurf::server::slice_field_test
