@@ -113,10 +113,11 @@ export class Lines {
 
     private wishAll(): void {
         const { state, view, time } = this.options;
-        const description = state.dataset.value;
-        if (description === null || state.stage.value !== 'running') return;
-        const shown = { dataset: description.dataset, time: dataTime(description, time()) };
+        if (state.stage.value !== 'running') return;
         for (const [id, place] of this.places.value) {
+            const description = state.described(state.lines.value.get(id)?.dataset ?? '');
+            if (description === null) continue;
+            const shown = { dataset: description.dataset, time: dataTime(description, time()) };
             if (!shows(view.visibility.value, id)) {
                 untracked(() => this.forget(id));
                 continue;

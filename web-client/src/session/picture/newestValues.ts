@@ -130,8 +130,12 @@ export class NewestValues<W, V> {
 }
 
 /** Calls back whenever the data are others, or the server is there again: what could not be had may be there now. */
-export function onOtherData(state: Pick<AppState, 'datasetEntry' | 'stage'>, again: () => void): void {
-    const data = computed(() => JSON.stringify([state.datasetEntry.value?.values, state.datasetEntry.value?.steps.ready]));
+export function onOtherData(state: Pick<AppState, 'datasetEntry' | 'datasets' | 'stage'>, again: () => void): void {
+    const data = computed(() => {
+        const entries = [...(state.datasetEntry.value === null ? [] : [state.datasetEntry.value]), ...state.datasets.value];
+        const known = new Map(entries.map(({ dataset, values, steps }) => [dataset, `${values} ${steps.ready}`]));
+        return JSON.stringify([...known].sort());
+    });
     effect(() => {
         void data.value;
         if (state.stage.value === 'running') untracked(again);

@@ -199,14 +199,14 @@ export class Slices {
 
     private wishAll(): void {
         const { state, view } = this.options;
-        const description = state.dataset.value;
-        if (description === null || state.stage.value !== 'running') return;
-        const { dataset } = description;
-        const time = dataTime(description, this.options.time());
+        if (state.stage.value !== 'running') return;
         const visibility = view.visibility.value;
         for (const [id, { origin, normal, field, minus }] of this.places.value) {
-            // The edit is about to be refused, in words.
-            if (!shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
+            const dataset = state.slices.value.get(id)?.dataset ?? '';
+            const description = state.described(dataset);
+            // Beside its data: the edit is about to be refused, in words.
+            if (description === null || !shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
+            const time = dataTime(description, this.options.time());
             const less = minus === null ? {} : { minus: minusWish(minus, dataset, time, (other) => this.nameOf(other)) };
             const wish = { dataset, origin, normal, field, time, ...less };
             this.values.want(id, wish);
