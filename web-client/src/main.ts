@@ -95,7 +95,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     const { canvas, labels } = app;
     const scene = new FlowScene({ canvas, labels, graphics });
     const requestFrame = scene.loop.request;
-    const worker = new WorkerClient();
+    const worker = new WorkerClient(() => scene.movingResolution.sparing);
     const server = new OwnServer(baseUrl(), url.session);
     const edits = new Edits({ state, worker, latency, requestFrame, dragging: () => scene.interaction.dragging });
     const people = new People({ state, view, worker, controls: scene.controls, requestFrame });

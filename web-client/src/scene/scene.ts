@@ -63,11 +63,11 @@ export class FlowScene {
     private readonly software: boolean;
     private readonly scene = new Scene();
     private readonly movement = new Movement();
-    private readonly movingResolution: MovingResolution;
+    readonly movingResolution: MovingResolution;
     /** Pixels for one of CSS, of a picture that stands still. */
     private readonly fullRatio: number;
-    private readonly rest = new Stillness(() => this.drawSharply(), restMs);
-    private readonly stillness = new Stillness(() => this.drawExactly(), exactAfterMs);
+    private readonly rest = new Stillness(() => this.drawBetter('sharpNext'), restMs);
+    private readonly stillness = new Stillness(() => this.drawBetter('exactNext'), exactAfterMs);
     /** Pictures that one which stands still, or is saved, is the mean of. */
     private readonly places: readonly (readonly [number, number])[];
     private readonly sampled: SampledPicture;
@@ -419,10 +419,12 @@ export class FlowScene {
         const begun = performance.now();
         const moving = !this.exactNext && !this.sharpNext && this.movement.at(begun);
         this.setPixelRatio(moving ? this.movingResolution.ratio : this.fullRatio);
+        this.surfaces.setDoors(moving && this.movingResolution.sparing);
         this.rest.drawn(false);
         this.smoothness.drawn(false);
         this.sampled.begin();
         this.draw(this.exactNext, null, moving ? null : 0);
+        this.surfaces.setDoors(false);
         ++this.framesDrawn;
         this.stillness.drawn(this.awaitsExact);
         if (!moving) this.sampled.add(this.controls.camera);
@@ -456,13 +458,8 @@ export class FlowScene {
         this.smoothness.drawn(this.samples > 0 && !this.awaitsExact);
     }
 
-    private drawSharply(): void {
-        this.sharpNext = true;
-        this.loop.request();
-    }
-
-    private drawExactly(): void {
-        this.exactNext = true;
+    private drawBetter(how: 'exactNext' | 'sharpNext'): void {
+        this[how] = true;
         this.loop.request();
     }
 

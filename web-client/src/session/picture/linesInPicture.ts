@@ -47,6 +47,8 @@ export class Lines {
     readonly meanings = signal<ReadonlyMap<string, FieldMeaning>>(new Map());
     /** Why nothing is seen of one. */
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
+    /** The server has not answered for long. */
+    readonly late = signal<ReadonlyMap<string, true>>(new Map());
     /** What there is of one. */
     readonly told = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there. */
@@ -67,6 +69,7 @@ export class Lines {
             fetch: (path, init) => server.fetch(path, init),
             arrived: (id, lines, wish) => this.arrived(id, lines, wish),
             told: (id, fault) => this.tell(id, fault),
+            late: (id, late) => putInto(this.late, id, late ? true : null),
             changed: () => (this.waiting.value = this.values.unfinished),
         });
         this.drafts = new RecordDrafts<LinesRecord, LinesPlace>({
@@ -96,6 +99,10 @@ export class Lines {
     /** Draws it so at once, and tells the server. */
     change(id: string, change: Partial<LinesPlace>): void {
         this.drafts.change(id, change);
+    }
+
+    retry(id: string): void {
+        this.values.retry(id);
     }
 
     remove(id: string): Promise<void> {

@@ -22,6 +22,8 @@ export interface NewestValuesOptions<W, V> {
     arrived: (id: string, values: V, wish: W) => void;
     /** Why there are none for what is wanted; null: there are. */
     told: (id: string, fault: string | null) => void;
+    /** Of one that the server has not answered for long, and once it has. */
+    late?: ((id: string, late: boolean) => void) | undefined;
     /** Told when `unfinished` may be another. */
     changed?: () => void;
     now?: () => number;
@@ -38,6 +40,8 @@ interface Thing<W> {
 
 /** So long it stands still before it is fine. */
 const restMs = 150;
+/** Whoever waits longer is told. */
+export const lateMs = 10_000;
 
 export class NewestValues<W, V> {
     private readonly options: NewestValuesOptions<W, V>;
@@ -86,6 +90,11 @@ export class NewestValues<W, V> {
         }
     }
 
+    /** What has not been answered is not waited for any more, and asked for again. */
+    retry(id: string): void {
+        this.things.get(id)?.asked?.abort.abort();
+    }
+
     private next(id: string, thing: Thing<W>): void {
         if (thing.asked !== null) return;
         const { key, answered } = thing;
@@ -107,6 +116,9 @@ export class NewestValues<W, V> {
         const begun = now();
         let fault: string | null = null;
         let values: V | null = null;
+        let isLate = false;
+        const tellLate = (now: boolean): void => this.options.late?.(id, (isLate = now));
+        const late = setTimeout(() => tellLate(true), lateMs);
         try {
             const reply = await fetch(path(wish, detail), { signal: asked.abort.signal });
             if (!reply.ok) throw await faultOf(reply);
@@ -115,6 +127,8 @@ export class NewestValues<W, V> {
         } catch (error) {
             fault = requestWords(error);
         }
+        clearTimeout(late);
+        if (isLate) tellLate(false);
         thing.asked = null;
         if (this.things.get(id) !== thing) return;
         // What was cancelled was not answered.

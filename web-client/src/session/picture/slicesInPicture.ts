@@ -58,6 +58,8 @@ export class Slices {
     private readonly numbers = signal<ReadonlyMap<string, { area: number; mean: number; key: string }>>(new Map());
     /** Why nothing is seen of one. */
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
+    /** The server has not answered for long. */
+    readonly late = signal<ReadonlyMap<string, true>>(new Map());
     /** One is not there, or not as fine as the screen. */
     readonly waiting = signal(false);
     /** From changes by this page to their pictures, in milliseconds: the last ones. */
@@ -84,6 +86,7 @@ export class Slices {
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
             arrived: (id, raster, wish) => this.arrived(id, raster, wish),
             told: (id, fault) => this.tell(id, fault),
+            late: (id, late) => putInto(this.late, id, late ? true : null),
             changed: () => this.count(),
         });
         const arrows = new SliceArrowLayer();
@@ -146,6 +149,10 @@ export class Slices {
     numbersOf(id: string): { area: number; mean: number } | null {
         const [numbers, place] = [this.numbers.value.get(id), this.places.value.get(id)];
         return numbers !== undefined && place !== undefined && numbers.key === shownKey(id, place, place) ? numbers : null;
+    }
+
+    retry(id: string): void {
+        this.values.retry(id);
     }
 
     remove(id: string): Promise<void> {
