@@ -280,6 +280,14 @@ describe('a visit', () => {
         expect(asked.state.notices.all.value.get('dataset')).toMatch(/does not have the dataset of this link/);
     });
 
+    it('shows the dataset of its address where the session has several', async () => {
+        const bench = new Bench(null, 'flow');
+        bench.records.surfaces = [surfaceOf('s1', { dataset: 'another flow' }), surfaceOf('s2')];
+        await bench.connect();
+        expect(bench.state.dataset.value?.dataset).toBe('flow');
+        expect(bench.state.notices.all.value.get('dataset')).toBeUndefined();
+    });
+
     it('puts a first rake and surface into a session that no one has edited, and only there', async () => {
         const fresh = new Bench(null);
         fresh.edited = false;

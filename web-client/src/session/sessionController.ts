@@ -265,7 +265,8 @@ export class SessionController {
         }: Pick<SessionSnapshot, 'surfaces' | 'slices' | 'lines'>): string | undefined =>
             [surfaces, slices, lines].flat()[0]?.dataset;
         const linked = url.dataset ?? (url.state === null ? undefined : firstOf(url.state)) ?? null;
-        return firstOf(snapshot) ?? state.dataset.value?.dataset ?? linked;
+        const there = [snapshot.surfaces, snapshot.slices, snapshot.lines].flat().some(({ dataset }) => dataset === url.dataset);
+        return (there ? url.dataset : firstOf(snapshot)) ?? state.dataset.value?.dataset ?? linked;
     }
 
     /** The address asks for a dataset, and the session shows another. */
