@@ -66,6 +66,25 @@ describe('a server with several datasets', () => {
         expect(await ask(page, (hook) => hook.bounds![1])).not.toBe(10);
         await page.context().close();
     });
+
+    it('adds one to the picture, where its body is beside that of the other, whichever is worked on', async () => {
+        const page = await rig.visit(size);
+        await finalSurface(page);
+        const own = await ask(page, (hook) => hook.bounds);
+        await page.getByLabel('Dataset').selectOption('sphere');
+        await page.getByRole('button', { name: 'Add to this picture' }).click();
+        await page.waitForFunction(() => window.wakesurf?.bounds?.[1] === 10);
+        await page.locator('[data-thing]', { hasText: 'Rake 1' }).click();
+        await expect.poll(() => ask(page, (hook) => hook.bounds)).toEqual(own);
+        // From below, where the sphere reaches out of the other domain, without the sheet on it.
+        await page.getByRole('button', { name: 'Show only Bodies' }).click();
+        await page.evaluate(() => window.wakesurf!.setCamera([-3, 0.5, -8], [0, 0, 0]));
+        const lowest = (): Promise<number[]> =>
+            page.evaluate(() => window.wakesurf!.pixelsAt([window.wakesurf!.project([0, 0.3, -0.39])!])[0]!);
+        await expect.poll(async () => Math.max(...(await lowest()))).toBeGreaterThan(40);
+        const [red, , blue] = await lowest();
+        expect(Math.abs(red! - blue!)).toBeLessThan(40);
+    });
 });
 
 describe('on a phone', () => {

@@ -54,7 +54,8 @@ import { OwnCopy } from './session/sessions/ownCopy.ts';
 import { SessionList } from './session/sessions/sessionList.ts';
 import { SurfaceOutcomes, SurfaceProgress } from './session/surface/surfaceProgress.ts';
 import { SurfaceFeed } from './session/surface/surfaceFeed.ts';
-import { sayOtherDatasets } from './session/picture/otherDatasets.ts';
+import { Bodies } from './session/picture/bodies.ts';
+import { loadOtherDatasets } from './session/picture/loadOtherDatasets.ts';
 import { showUnits, typeUnits } from './session/picture/writtenNumbers.ts';
 import { Views } from './session/view/views.ts';
 import { AppState } from './state/appState.ts';
@@ -94,7 +95,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     const { canvas, labels } = app;
     const scene = new FlowScene({ canvas, labels, graphics });
     const requestFrame = scene.loop.request;
-    const worker = new WorkerClient();
+    const worker = new WorkerClient(() => scene.movingResolution.sparing);
     const server = new OwnServer(baseUrl(), url.session);
     const edits = new Edits({ state, worker, latency, requestFrame, dragging: () => scene.interaction.dragging });
     const people = new People({ state, view, worker, controls: scene.controls, requestFrame });
@@ -109,7 +110,6 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     showStillPictures(view, scene, graphics);
     showMarks(state, view, scene);
     showUnits(state, view, scene);
-    sayOtherDatasets(state);
     const sight = {
         pick: (at: ScreenPoint) => scene.pick(at),
         rakeAt: (at: ScreenPoint) => scene.rakes.pointUnder(at, scene.view()),
@@ -145,7 +145,9 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
         picture: (size) => scene.copySmall(size),
         busy: () => scene.interaction.dragging || document.visibilityState !== 'visible',
     });
-    const dataset = new OpenDataset({ state, view, scene, worker, imports });
+    const bodies = new Bodies(state, worker);
+    const dataset = new OpenDataset({ state, view, scene, worker, bodies, imports });
+    loadOtherDatasets({ state, view, scene, worker, bodies, turnTo: (other) => dataset.turnTo(other) });
     const suggestions = new Suggestions(state, worker);
     const controller = new SessionController({
         state,
@@ -234,7 +236,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
         ownCopy,
         help: { view },
         sessionHead: { state, view, sessionList },
-        datasetHead: { state, sessionList },
+        datasetHead: { state, edits, sessionList },
         pictureList: { state, view, edits, slices: slices.model, lines: lines.model },
         surface: { state, view, edits, families, chooseKind: (kind) => chooseKind({ state, edits, clock, playback }, kind) },
         rake: { state, view, edits, scene },

@@ -120,7 +120,7 @@ class Picture {
 
     showBody(flow: FlatFlow, texture: FlowTexture): void {
         this.place(flow);
-        const [drawn, lights] = [new DrawnBody(this.layer), new Lights()];
+        const [drawn, lights] = [new DrawnBody(this.layer, () => undefined), new Lights()];
         const { body, flow: along } = bodyOf(flow);
         drawn.set(body);
         drawn.setTime(texture === 'flowing' ? 0 : null);

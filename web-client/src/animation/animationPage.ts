@@ -48,7 +48,7 @@ async function start(): Promise<void> {
     show(file, new AnimationSteps(file, points), scene);
     const body = textOf('body');
     const shape = body === '' ? null : decodeObstacle(bytesOf(body), points, file.description.lattice);
-    if (shape !== null) scene.setObstacle(shape);
+    if (shape !== null) scene.body.set(shape);
 }
 
 function show({ description }: AnimationFile, steps: AnimationSteps, scene: FlowScene): void {

@@ -1,5 +1,15 @@
 import { beforeEach, describe, expect, it } from 'vitest';
-import { FrameLoop, leastRatio, limitMs, Movement, MovingResolution, restMs, Stillness, type Timers } from './frameLoop.ts';
+import {
+    FrameLoop,
+    leastRatio,
+    limitMs,
+    sparingMs,
+    Movement,
+    MovingResolution,
+    restMs,
+    Stillness,
+    type Timers,
+} from './frameLoop.ts';
 
 /** A loop whose animation frames and GPU come when the test says so. */
 function steppedLoop() {
@@ -183,6 +193,20 @@ describe('the resolution while things move', () => {
         const resolution = new MovingResolution(1, 1);
         for (let i = 0; i < 300; ++i) resolution.drawn(i % 3 === 0 ? 400 : 30);
         expect(resolution.ratio).toBe(1);
+    });
+
+    it('draws less where the fewest pixels take too long, until they take half as long, and not to and fro between', () => {
+        const resolution = new MovingResolution(1, 1);
+        const sparing = (ms: number, count = 12): boolean => {
+            for (let i = 0; i < count; ++i) resolution.drawn(ms);
+            return resolution.sparing;
+        };
+        expect([sparing(sparingMs + 20, 9), resolution.ratio < 1.5 * leastRatio], 'first fewer pixels').toEqual([false, true]);
+        expect(sparing(sparingMs - 20)).toBe(false);
+        expect(sparing(sparingMs + 20)).toBe(true);
+        expect(sparing(0.6 * sparingMs)).toBe(true);
+        expect([sparing(0.4 * sparingMs), sparing(0.9 * sparingMs)]).toEqual([false, false]);
+        expect([sparing(5, 100), resolution.ratio], 'quick again').toEqual([false, 1]);
     });
 
     it('begins where it is told to', () => {

@@ -128,6 +128,8 @@ const shortMs = 0.4 * limitMs;
 /** A single late picture says nothing. */
 const slowPictures = 3;
 const quickPictures = 8;
+/** Where pictures of the fewest pixels take longer, less is drawn; until they take less than half as long. */
+export const sparingMs = 100;
 
 /**
  * How sharp the picture is while things move: as sharp as it can be drawn in the time that 15 pictures a second leave, by what
@@ -140,6 +142,7 @@ export class MovingResolution {
     /** Each halves the pixels. */
     private step: number;
     private took: number[] = [];
+    private isSparing = false;
 
     /** @param full ratio of a picture that stands still @param first ratio to begin with, until there are
      *  measurements */
@@ -153,14 +156,28 @@ export class MovingResolution {
         return this.full * 2 ** (-this.step / 2);
     }
 
+    /** Fewer pixels do not help any more: what is drawn in several passes is drawn in one. */
+    get sparing(): boolean {
+        return this.isSparing;
+    }
+
     /** A picture of this resolution was on the screen so many milliseconds after it was begun. */
     drawn(ms: number): void {
         this.took.push(ms);
-        if (this.took.length >= slowPictures && median(this.took.slice(-slowPictures)) > limitMs) this.goTo(this.step + 1);
+        const slow = this.took.length >= slowPictures ? median(this.took.slice(-slowPictures)) : 0;
+        if (slow > limitMs && this.step < this.lastStep) this.goTo(this.step + 1);
+        else if (slow > sparingMs && !this.isSparing) this.spare(true);
         else if (this.took.length >= quickPictures) {
-            if (median(this.took) < shortMs) this.goTo(this.step - 1);
+            const usual = median(this.took);
+            if (this.isSparing && usual < sparingMs / 2) this.spare(false);
+            else if (!this.isSparing && usual < shortMs) this.goTo(this.step - 1);
             else this.took.shift();
         }
+    }
+
+    private spare(on: boolean): void {
+        this.isSparing = on;
+        this.took = [];
     }
 
     private goTo(step: number): void {

@@ -1,10 +1,10 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds
 // it and listens to it.
 import { type Color, Scene, WebGLRenderer } from 'three';
-import type { BodyMesh, BodyValues, TimedMeshChange } from '../mesh/meshChange.ts';
+import type { TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
-import type { Bounds } from './domain/domainAxes.ts';
+import { type Bounds, boundsRound } from './domain/domainAxes.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
 import { ScaleBar } from './domain/scaleBar.ts';
 import { FrameLoop, Movement, MovingResolution, restMs, Stillness, whenDrawn } from './frameLoop.ts';
@@ -15,7 +15,7 @@ import { RakeInteraction } from './rake/rakeInteraction.ts';
 import { RakeLayer } from './rake/rakeLayer.ts';
 import { SampledPicture, samplePlaces } from './sampledPicture.ts';
 import { pairs } from './surface/contactShade.ts';
-import { type BodyColours, DrawnBody } from './surface/drawnBody.ts';
+import { DrawnBody } from './surface/drawnBody.ts';
 import { SurfaceLayer } from './surface/surfaceLayer.ts';
 import { noSurface, type PickGrid, type PickHit, type PickOptions } from './surface/pickHit.ts';
 import { SurfacePick } from './surface/surfacePick.ts';
@@ -45,7 +45,7 @@ export class FlowScene {
         onTurn: () => this.movement.stir(performance.now()),
     });
     readonly surfaces = new SurfaceLayer();
-    readonly body = new DrawnBody(this.surfaces);
+    readonly body = new DrawnBody(this.surfaces, this.loop.request);
     readonly rakes: RakeLayer;
     readonly aim: RakeAim;
     readonly interaction: RakeInteraction;
@@ -63,11 +63,11 @@ export class FlowScene {
     private readonly software: boolean;
     private readonly scene = new Scene();
     private readonly movement = new Movement();
-    private readonly movingResolution: MovingResolution;
+    readonly movingResolution: MovingResolution;
     /** Pixels for one of CSS, of a picture that stands still. */
     private readonly fullRatio: number;
-    private readonly rest = new Stillness(() => this.drawSharply(), restMs);
-    private readonly stillness = new Stillness(() => this.drawExactly(), exactAfterMs);
+    private readonly rest = new Stillness(() => this.drawBetter('sharpNext'), restMs);
+    private readonly stillness = new Stillness(() => this.drawBetter('exactNext'), exactAfterMs);
     /** Pictures that one which stands still, or is saved, is the mean of. */
     private readonly places: readonly (readonly [number, number])[];
     private readonly sampled: SampledPicture;
@@ -85,6 +85,9 @@ export class FlowScene {
     /** While a figure is drawn, which has another size than the canvas. */
     private figureSize: ScreenSize | null = null;
     private outline: DomainOutline | null = null;
+    private bounds: Bounds | null = null;
+    /** Of other datasets, without numbers. */
+    private otherOutlines: { bounds: Bounds; outline: DomainOutline }[] = [];
     private readonly scaleBar: ScaleBar;
     /** What lies over the picture, over that of a figure too. */
     private cover: Cover | null = null;
@@ -167,7 +170,7 @@ export class FlowScene {
     setTheme(theme: 'dark' | 'light'): void {
         this.theme = theme;
         this.scene.background = pictureColours[theme].background;
-        this.outline?.setColour(pictureColours[theme].outline);
+        for (const each of this.outlines) each.setColour(pictureColours[theme].outline);
         this.loop.request();
     }
 
@@ -212,45 +215,43 @@ export class FlowScene {
         return () => (this.drawn = this.drawn.filter((each) => each !== listener));
     }
 
-    setDomain(bounds: Bounds): void {
-        if (this.outline !== null) {
-            this.remove(this.outline);
-            this.outline.dispose();
-        }
+    /** @param stays the camera: only another dataset of the picture is worked on */
+    setDomain(bounds: Bounds, stays = false): void {
+        if (this.outline !== null) this.drop(this.outline);
+        this.bounds = bounds;
         this.outline = new DomainOutline(bounds, this.labels, pictureColours[this.theme].outline);
         this.outline.setUnit(this.unit);
         this.outline.setCover(this.cover);
         this.add(this.outline);
-        this.controls.setBounds(bounds);
         this.rakes.setBounds(bounds);
         this.aim.setFloor(bounds[4]);
-        this.surfaces.setBounds(bounds);
+        this.boundWhole(stays);
     }
 
-    setObstacle(body: BodyMesh): void {
-        this.body.set(body);
-        this.loop.request();
+    /** Of other datasets of which something is shown, too. */
+    setOtherDomains(others: readonly Bounds[]): void {
+        for (const { outline } of this.otherOutlines) this.drop(outline);
+        const colour = pictureColours[this.theme].outline;
+        this.otherOutlines = others.map((bounds) => ({ bounds, outline: new DomainOutline(bounds, null, colour) }));
+        for (const { outline } of this.otherOutlines) this.add(outline);
+        this.boundWhole(true);
     }
 
-    removeObstacle(): void {
-        this.body.remove();
-        this.loop.request();
+    private get outlines(): DomainOutline[] {
+        return [...(this.outline === null ? [] : [this.outline]), ...this.otherOutlines.map(({ outline }) => outline)];
     }
 
-    setBodyColours(colours: BodyColours): void {
-        this.body.setColours(colours);
-        this.loop.request();
+    private drop(outline: DomainOutline): void {
+        this.remove(outline);
+        outline.dispose();
     }
 
-    /** See DrawnBody. */
-    setBodyValues(values: BodyValues | null, textured: boolean): void {
-        this.body.setValues(values, textured);
-        this.loop.request();
-    }
-
-    setBodyTime(time: number | null): void {
-        this.body.setTime(time);
-        if (this.body.textured) this.loop.request();
+    private boundWhole(stays: boolean): void {
+        if (this.bounds === null) return;
+        const whole = boundsRound([this.bounds, ...this.otherOutlines.map(({ bounds }) => bounds)]);
+        if (stays) this.controls.widen(whole);
+        else this.controls.setBounds(whole);
+        this.surfaces.setBounds(whole);
     }
 
     /** Planes (n, w) that cut surfaces, and the body too if asked: nothing is left where n . point > w. */
@@ -418,10 +419,12 @@ export class FlowScene {
         const begun = performance.now();
         const moving = !this.exactNext && !this.sharpNext && this.movement.at(begun);
         this.setPixelRatio(moving ? this.movingResolution.ratio : this.fullRatio);
+        this.surfaces.setDoors(moving && this.movingResolution.sparing);
         this.rest.drawn(false);
         this.smoothness.drawn(false);
         this.sampled.begin();
         this.draw(this.exactNext, null, moving ? null : 0);
+        this.surfaces.setDoors(false);
         ++this.framesDrawn;
         this.stillness.drawn(this.awaitsExact);
         if (!moving) this.sampled.add(this.controls.camera);
@@ -455,13 +458,8 @@ export class FlowScene {
         this.smoothness.drawn(this.samples > 0 && !this.awaitsExact);
     }
 
-    private drawSharply(): void {
-        this.sharpNext = true;
-        this.loop.request();
-    }
-
-    private drawExactly(): void {
-        this.exactNext = true;
+    private drawBetter(how: 'exactNext' | 'sharpNext'): void {
+        this[how] = true;
         this.loop.request();
     }
 

@@ -17,9 +17,9 @@ function bench() {
         if (method === 'dataset.list') return { datasets: [entry] };
         return method === 'dataset.describe' ? description() : { steps: [], bytes: 0, budget: 0 };
     };
-    const worker = {
-        call: answer as never,
-        obstacle: async () => {
+    const worker = { call: answer as never };
+    const bodies = {
+        of: async () => {
             await Promise.resolve();
             shown.push('read the body');
             return { positions: new Float32Array(), indices: new Uint32Array() } as never;
@@ -27,14 +27,14 @@ function bench() {
     };
     const scene = {
         setDomain: () => void shown.push('domain'),
-        setObstacle: () => void shown.push('body'),
-        removeObstacle: () => void shown.push('no body'),
+        body: { set: () => void shown.push('body'), remove: () => void shown.push('no body') },
     };
     const dataset = new OpenDataset({
         state,
         view,
         scene,
         worker,
+        bodies,
         imports: { left: { value: false }, begin: async () => undefined } as never,
     });
     /** The server tells of these values; what the picture is changed by. */

@@ -1,6 +1,6 @@
-// The dataset that the page shows: waits for its import, puts its domain and body into the picture, follows
-// its growth.
-import { computed, effect } from '@preact/signals-core';
+// The dataset that is worked on: waits for its import, puts its domain and body into the picture, follows its growth. Another of the picture
+// may take its place (otherDatasets.ts).
+import { batch, computed, effect } from '@preact/signals-core';
 import { type DatasetDescription, type DatasetEntry, errorWords, type HeldChange } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
 import type { AppState } from '../state/appState.ts';
@@ -8,6 +8,7 @@ import { showsBeyondBody } from '../state/bodyPatches.ts';
 import type { ViewState } from '../state/viewState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import type { ImportWait } from './importWait.ts';
+import { type Bodies, gridOf } from './picture/bodies.ts';
 import { StepsHeld } from './time/cachedSteps.ts';
 
 const importPollMs = 1000;
@@ -15,8 +16,9 @@ const importPollMs = 1000;
 export interface OpenDatasetOptions {
     state: AppState;
     view: Pick<ViewState, 'body'>;
-    scene: Pick<FlowScene, 'setDomain' | 'setObstacle' | 'removeObstacle'>;
-    worker: Pick<WorkerClient, 'call' | 'obstacle'>;
+    scene: Pick<FlowScene, 'setDomain'> & { body: Pick<FlowScene['body'], 'set' | 'remove'> };
+    worker: Pick<WorkerClient, 'call'>;
+    bodies: Pick<Bodies, 'of'>;
     imports: Pick<ImportWait, 'begin' | 'left'>;
 }
 
@@ -77,22 +79,42 @@ export class OpenDataset {
         const before = this.values;
         this.values = values;
         if (!sameValues(before, values)) state.suggestion.value = null;
-        if (known?.dataset === dataset && sameGrid(before, values)) return;
+        if (known?.dataset === dataset && gridOf(before) === gridOf(values)) return;
         scene.setDomain(description.bounds);
-        if (known !== null) scene.removeObstacle();
+        if (known !== null) scene.body.remove();
+        void this.loadObstacle(description);
+    }
+
+    /** Works on another dataset of the picture from now on; the camera stays. */
+    turnTo(description: DatasetDescription): void {
+        const { state, scene } = this.options;
+        const { dataset } = description;
+        const before = state.dataset.value;
+        const entry = state.datasets.value.find((each) => each.dataset === dataset) ?? null;
+        batch(() => {
+            const others = new Map(state.otherDatasets.value);
+            others.delete(dataset);
+            if (before !== null) others.set(before.dataset, before);
+            state.otherDatasets.value = others;
+            state.dataset.value = description;
+            state.datasetEntry.value = entry;
+        });
+        this.values = entry?.values;
+        void this.stepsHeld.load(dataset);
+        scene.setDomain(description.bounds, true);
         void this.loadObstacle(description);
     }
 
     private async loadObstacle(description: DatasetDescription): Promise<void> {
-        const { dataset, lattice } = description;
+        const { dataset } = description;
         const allPatches = this.allPatches.peek();
-        if (!description.obstacle && !allPatches) return this.options.scene.removeObstacle();
+        if (!description.obstacle && !allPatches) return this.options.scene.body.remove();
         try {
-            const geometry = await this.options.worker.obstacle(dataset, lattice, allPatches);
+            const geometry = await this.options.bodies.of(description, allPatches);
             const stillShown = this.options.state.dataset.value?.dataset === dataset;
             if (geometry !== null && stillShown && allPatches === this.allPatches.peek()) {
                 this.options.state.allPatchesShown.value = allPatches;
-                this.options.scene.setObstacle(geometry);
+                this.options.scene.body.set(geometry);
             }
         } catch (error) {
             this.options.state.notices.tell('body', error);
@@ -102,6 +124,7 @@ export class OpenDataset {
     patched(entry: DatasetEntry): void {
         const { state } = this.options;
         const { dataset } = entry;
+        state.datasets.value = state.datasets.value.map((each) => (each.dataset === dataset ? entry : each));
         if (state.datasetEntry.value?.dataset !== dataset) return;
         state.datasetEntry.value = entry;
         // The range of the velocity is known in full only now.
@@ -120,10 +143,6 @@ function sameValues(before: string | undefined, now: string | undefined): boolea
     const [gridNow, firstNow, allNow] = (now ?? '').split(' ');
     const count = (word: string | undefined) => word?.split('-')[0];
     return grid === gridNow && first === firstNow && (count(all) !== count(allNow) || all === allNow);
-}
-
-function sameGrid(before: string | undefined, now: string | undefined): boolean {
-    return (before ?? '').split(' ')[0] === (now ?? '').split(' ')[0];
 }
 
 /** Returns what the velocity of a dataset could be, which is not clear from its files. */

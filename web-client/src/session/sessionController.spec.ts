@@ -59,12 +59,13 @@ class Bench {
         const history = { clear: () => (this.clearedAfter = this.calls.length) };
         const edits = { reconnected: () => undefined, recordsChanged: () => undefined, history };
         const people = { joined: () => undefined };
-        const scene = { setDomain: () => undefined, setObstacle: () => undefined, removeObstacle: () => undefined };
+        const scene = { setDomain: () => undefined, body: { set: () => undefined, remove: () => undefined } };
+        const bodies = { of: async () => null };
         const url = { token: null, session, dataset: linked, state: null };
         const imports = { left: this.left, begin: async (dataset: string) => void this.begun.push(dataset) };
         const views = { restore: () => undefined, recovered: () => undefined };
         const thumbnails = { patched: () => undefined };
-        const dataset = new OpenDataset({ state, view: { body: signal(plainBody) }, scene, worker, imports });
+        const dataset = new OpenDataset({ state, view: { body: signal(plainBody) }, scene, worker, bodies, imports });
         const suggestions = new Suggestions(state, worker);
         const filled = () => undefined;
         const rest = { dataset, suggestions, feed, edits, people, views, thumbnails, url, filled };
@@ -277,6 +278,14 @@ describe('a visit', () => {
         await asked.connect();
         expect(asked.joined).toEqual([null]);
         expect(asked.state.notices.all.value.get('dataset')).toMatch(/does not have the dataset of this link/);
+    });
+
+    it('shows the dataset of its address where the session has several', async () => {
+        const bench = new Bench(null, 'flow');
+        bench.records.surfaces = [surfaceOf('s1', { dataset: 'another flow' }), surfaceOf('s2')];
+        await bench.connect();
+        expect(bench.state.dataset.value?.dataset).toBe('flow');
+        expect(bench.state.notices.all.value.get('dataset')).toBeUndefined();
     });
 
     it('puts a first rake and surface into a session that no one has edited, and only there', async () => {

@@ -240,7 +240,9 @@ export class SessionController {
         }
         if (isEmpty(joined.snapshot) === isEmpty(there)) {
             const shown = <Of extends { dataset: string }>(records: Of[]): Of[] =>
-                records.filter((each) => each.dataset === dataset);
+                records.filter(
+                    (each) => each.dataset === dataset || state.datasets.value.some((known) => known.dataset === each.dataset),
+                );
             const { surfaces, slices, lines } = lost;
             const content = { ...lost, surfaces: shown(surfaces), slices: shown(slices), lines: shown(lines) };
             const made = await recoverSession(worker, content, there);
@@ -263,7 +265,8 @@ export class SessionController {
         }: Pick<SessionSnapshot, 'surfaces' | 'slices' | 'lines'>): string | undefined =>
             [surfaces, slices, lines].flat()[0]?.dataset;
         const linked = url.dataset ?? (url.state === null ? undefined : firstOf(url.state)) ?? null;
-        return firstOf(snapshot) ?? state.dataset.value?.dataset ?? linked;
+        const there = [snapshot.surfaces, snapshot.slices, snapshot.lines].flat().some(({ dataset }) => dataset === url.dataset);
+        return (there ? url.dataset : firstOf(snapshot)) ?? state.dataset.value?.dataset ?? linked;
     }
 
     /** The address asks for a dataset, and the session shows another. */
@@ -277,7 +280,7 @@ export class SessionController {
             'dataset',
             there === undefined
                 ? `The server does not have the dataset of this link. This session shows ${here ?? shown}.`
-                : `This session shows ${here ?? shown}. To see ${there}, choose it in the panel: it opens in another session.`,
+                : `This session shows ${here ?? shown}. To see ${there}, choose it in the panel: it opens in another session, or is added to this picture.`,
         );
     }
 

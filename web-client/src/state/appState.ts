@@ -89,7 +89,10 @@ export class AppState {
     /** The picture has what of the boundary is no part of the body, too. */
     readonly allPatchesShown = signal(false);
     readonly datasetEntry = signal<DatasetEntry | null>(null);
+    /** The one that is worked on: that of what is chosen. */
     readonly dataset = signal<DatasetDescription | null>(null);
+    /** The others of which the session has something, once they are known. */
+    readonly otherDatasets = signal<ReadonlyMap<string, DatasetDescription>>(new Map());
     readonly rakes = signal<ReadonlyMap<string, RakeRecord>>(new Map());
     readonly surfaces = signal<ReadonlyMap<string, SurfaceRecord>>(new Map());
     readonly slices = signal<ReadonlyMap<string, SliceRecord>>(new Map());
@@ -171,14 +174,24 @@ export class AppState {
         const ready = this.datasetEntry.value?.steps?.ready ?? times.length;
         return times.slice(0, Math.max(1, ready));
     });
-    /** The range of the speed over the whole dataset: colours mean the same at all times. */
-    readonly speedRange = computed((): [number, number] => {
-        const dataset = this.dataset.value;
-        const field = dataset?.fields.find(({ name }) => name === dataset.velocity);
-        const [low, high] = field?.range ?? [null, null];
-        if (low === null || high === null) return [0, 1];
-        return high > low ? [low, high] : [low, low + 1];
-    });
+    readonly speedRange = computed(() => speedRangeOf(this.dataset.value));
+    /** Of all data in the picture. */
+    readonly pictured = computed((): readonly DatasetDescription[] =>
+        this.dataset.value === null ? [] : [this.dataset.value, ...this.otherDatasets.value.values()],
+    );
+
+    /** Null: it is not known. */
+    described(dataset: string): DatasetDescription | null {
+        return this.pictured.value.find((each) => each.dataset === dataset) ?? null;
+    }
+}
+
+/** The range of the speed over the whole dataset: colours mean the same at all times. */
+export function speedRangeOf(dataset: DatasetDescription | null): [number, number] {
+    const field = dataset?.fields.find(({ name }) => name === dataset.velocity);
+    const [low, high] = field?.range ?? [null, null];
+    if (low === null || high === null) return [0, 1];
+    return high > low ? [low, high] : [low, low + 1];
 }
 
 /** How far the server has come with a surface; null: not known. */

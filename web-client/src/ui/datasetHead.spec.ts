@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, it } from 'vitest';
 import type { DatasetEntry } from '../protocol/messages.ts';
 import { Announcements } from '../state/announcements.ts';
 import { PageBench } from '../testing/pageBench.ts';
-import { datasetOf } from '../testing/records.ts';
+import { datasetOf, suggestionOf } from '../testing/records.ts';
 import { rested, ShownPanel } from '../testing/shownPanel.ts';
 import './datasetHead.ts';
 
@@ -20,6 +20,7 @@ beforeEach(async () => {
     bench.state.datasets.value = [entryOf('flow', 16), entryOf('sphere')];
     entered = [];
     const sessionList = { problems: new Announcements(), enterDataset: async (id: string) => void entered.push(id) };
+    bench.answers['dataset.suggest'] = () => suggestionOf();
     head = await ShownPanel.of('wakesurf-dataset-head', Object.assign(bench, { sessionList }));
 });
 
@@ -45,6 +46,21 @@ describe('a server with several datasets', () => {
         await head.enter('#dataset', 'Dataset', 'flow');
         await head.press('Open');
         expect(entered).toEqual(['flow']);
+    });
+
+    it('adds one to this picture: a rake and a surface as the server suggests, which are chosen', async () => {
+        await head.enter('#dataset', 'Dataset', 'sphere');
+        await head.press('Add to this picture');
+        expect(bench.asked('dataset.suggest')).toEqual([{ dataset: 'sphere' }]);
+        expect(bench.rakes.map(({ name }) => name)).toEqual(['Rake 1', 'Rake 2']);
+        expect(bench.state.surface.value).toMatchObject({ dataset: 'sphere', rake: 'rake-2', kind: 'stream', from: 10 });
+        expect(entered).toEqual([]);
+    });
+
+    it('adds nothing that has to be imported first', async () => {
+        bench.state.datasets.value = [entryOf('flow', 16), { ...entryOf('sphere'), steps: { ready: 0, total: 1 } }];
+        await head.enter('#dataset', 'Dataset', 'sphere');
+        expect([opens(), head.get('button', 'Add to this picture').matches(':disabled')]).toEqual([true, true]);
     });
 
     it('offers none to people who were invited to this session', async () => {

@@ -1,9 +1,10 @@
-// Shows the dataset and how large it is; where the server has several, a choice. Another dataset is another
-// session, the one in which this browser saw it last or a new one, so that no user is taken away from what
-// they look at.
+// Shows the dataset that is worked on and how large it is; where the server has several, a choice. Opened, another dataset is another
+// session, the one in which this browser saw it last or a new one, so that no user is taken away from what they look at; added, it comes
+// into this picture, with the rake and surface that the server suggests.
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import type { DatasetEntry } from '../protocol/messages.ts';
+import type { RecordActions } from '../session/edits/recordActions.ts';
 import type { SessionList } from '../session/sessions/sessionList.ts';
 import type { AppState } from '../state/appState.ts';
 import { ModelElement } from './base/signalElement.ts';
@@ -11,7 +12,8 @@ import { countWords } from './base/words.ts';
 import { isolated } from '../state/announcements.ts';
 
 export interface DatasetHeadModel {
-    state: Pick<AppState, 'dataset' | 'datasets' | 'role' | 'problems'>;
+    state: Pick<AppState, 'dataset' | 'datasets' | 'locked' | 'otherDatasets' | 'role' | 'problems'>;
+    edits: { actions: Pick<RecordActions, 'addDataset'> };
     sessionList: Pick<SessionList, 'enterDataset' | 'problems'>;
 }
 
@@ -21,12 +23,14 @@ export class DatasetHead extends ModelElement<DatasetHeadModel> {
 
     static override styles = css`
         div {
-            display: flex;
+            display: grid;
+            grid-template-columns: auto auto minmax(0, 1fr);
             gap: 6px;
             margin: 4px 0 2px;
         }
         select {
-            flex: 1;
+            grid-column: 1 / -1;
+            width: 100%;
             min-width: 0;
         }
         p {
@@ -47,15 +51,24 @@ export class DatasetHead extends ModelElement<DatasetHeadModel> {
                       dataset.steady && dataset.points > 0 ? ': the flow stands still' : ''
                   }
               </p>`
-        }`;
+        }
+        ${this.others()}`;
+    }
+
+    private others(): TemplateResult | typeof nothing {
+        const names = [...this.model.state.otherDatasets.value.values()].map(({ name }) => isolated(name));
+        return names.length === 0
+            ? nothing
+            : html`<p class="quiet">Also in this picture: ${names.join(', ')}. Choose something of it to work on it.</p>`;
     }
 
     private name(shown: string, name: string): TemplateResult | typeof nothing {
-        const { datasets, role } = this.model.state;
+        const { datasets, locked, role } = this.model.state;
         const others = datasets.value.filter(({ dataset }) => dataset !== shown);
         // An invitation is to this session.
         if (others.length === 0 || role.value !== 'host') return name === '' ? nothing : html`<p>${name}</p>`;
         const chosen = this.chosen.value ?? shown;
+        const usable = datasets.value.some(({ dataset, steps }) => dataset === chosen && steps.ready > 0);
         return html`<div>
             <select id="dataset" aria-label="Dataset" @change=${this.choose}>
                 ${shown === '' ? html`<option value="">Choose a dataset</option>` : nothing}
@@ -67,7 +80,21 @@ export class DatasetHead extends ModelElement<DatasetHeadModel> {
             <button type="button" ?disabled=${chosen === shown || chosen === ''} @click=${() => this.open(chosen)}>
                 Open
             </button>
+            <button
+                type="button"
+                title=${usable ? 'A rake and a surface of it beside what is here' : 'Open it first: it has to be imported'}
+                ?disabled=${chosen === shown || chosen === '' || shown === '' || !usable || locked.value}
+                @click=${() => this.add(chosen)}
+            >
+                Add to this picture
+            </button>
         </div>`;
+    }
+
+    private async add(dataset: string): Promise<void> {
+        await this.model.edits.actions.addDataset(dataset);
+        // The choice is what is worked on again.
+        this.chosen.value = null;
     }
 
     /** A notice, because the list, which says what is refused, may be closed. */

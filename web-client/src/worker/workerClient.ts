@@ -1,5 +1,6 @@
 // The page's end of the worker: calls as promises, events as callbacks. A worker that hangs is replaced: it is asked every second and has
-// two to answer, so that bytes that make a decoder run for ever cost one worker, not the page.
+// two to answer, so that bytes that make a decoder run for ever cost one worker, not the page. On a page that is short of processor time it
+// has ten: there it is late as everything is.
 import type { Credentials } from '../connection/authorise.ts';
 import { type Clock, systemClock, type Timer } from '../connection/clock.ts';
 import type { BodyMesh, BodyValues } from '../mesh/meshChange.ts';
@@ -37,10 +38,12 @@ export class WorkerClient {
     private origin: { baseUrl: string; token: string | null; login: string | null } | null = null;
     private onEvent: (event: WorkerEvent) => void = () => undefined;
 
-    constructor() {
+    /** @param isSlow of a page that draws less than it should, for want of processor time */
+    constructor(isSlow: () => boolean) {
         this.worker = this.makeWorker();
         this.watchdog = new Watchdog({
             clock: systemClock,
+            isSlow,
             ask: () => this.post({ type: 'areYouThere' }),
             onHang: () => this.replaceWorker(),
         });
@@ -196,9 +199,12 @@ export class HangPauses {
 
 const pingEveryMs = 1000;
 const answerWithinMs = 2000;
+const slowAnswerWithinMs = 10_000;
 
 export interface WatchdogOptions {
     clock: Clock;
+    /** Everything takes longer. */
+    isSlow: () => boolean;
     ask: () => void;
     onHang: () => void;
 }
@@ -232,11 +238,11 @@ export class Watchdog {
     }
 
     private check(lateMs: number): void {
-        const { clock, ask, onHang } = this.options;
+        const { clock, ask, isSlow, onHang } = this.options;
         const now = clock.now();
         // This page itself stood still, as when the computer slept: an answer may be waiting to be heard.
         if (this.pingedAt !== null && lateMs > pingEveryMs) this.pingedAt = now;
-        if (this.pingedAt !== null && now - this.pingedAt >= answerWithinMs) {
+        if (this.pingedAt !== null && now - this.pingedAt >= (isSlow() ? slowAnswerWithinMs : answerWithinMs)) {
             this.stop();
             onHang();
             return;

@@ -169,6 +169,13 @@ export class CameraControls {
         this.untouched = true;
     }
 
+    /** The picture holds more, or less: shows all of it, unless a user has moved the camera. */
+    widen(bounds: Bounds): void {
+        if (bounds.every((each, k) => each === this.bounds[k])) return;
+        this.bounds = bounds;
+        if (!this.offer(bounds)) this.follow(this.pose);
+    }
+
     /** Shows this part of the domain as it would show all of it, unless a user has moved it. False: it has
      *  been. Of a slab all stays in view. */
     offer(part: Bounds): boolean {

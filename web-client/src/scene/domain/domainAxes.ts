@@ -106,6 +106,12 @@ export function centreOf(bounds: Bounds): Vec3 {
     return [(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2];
 }
 
+/** REQUIRES: there is one. */
+export function boundsRound(all: readonly Bounds[]): Bounds {
+    const end = (k: number): number => (k % 2 === 0 ? Math.min : Math.max)(...all.map((each) => each[k]!));
+    return [end(0), end(1), end(2), end(3), end(4), end(5)];
+}
+
 /** The ends of the twelve edges of the box, about its centre, so that float32 holds them wherever the box
  *  is. */
 export function boxEdges(bounds: Bounds): Float32Array {

@@ -31,16 +31,17 @@ interface PlacedWords extends ScreenPoint {
 export class DomainOutline implements Layer {
     private readonly lines: BoxLines;
     private readonly bounds: Bounds;
-    private readonly labels: Labels;
+    private readonly labels: Labels | null;
     private unit = '';
     private placed: PlacedWords[] = [];
     private size: ScreenSize = { width: 0, height: 0 };
     private placedFor = '';
     private cover: Cover | null = null;
 
-    constructor(bounds: Bounds, layer: HTMLElement, colour: Color) {
+    /** @param layer of the numbers and names; null: it has none */
+    constructor(bounds: Bounds, layer: HTMLElement | null, colour: Color) {
         this.bounds = bounds;
-        this.labels = new Labels(layer);
+        this.labels = layer === null ? null : new Labels(layer);
         this.lines = new BoxLines(bounds, colour);
     }
 
@@ -51,6 +52,7 @@ export class DomainOutline implements Layer {
     /** Places the labels for the present camera, unless they are there already: text is costly to lay out. */
     update(view: View): void {
         this.lines.update(view);
+        if (this.labels === null) return;
         const eye = view.outside;
         const project = (point: Vec3): ScreenPoint | null => view.project(point);
         const drawn = JSON.stringify([eye, view.size, project(this.corner(0)), project(this.corner(1))]);
@@ -93,7 +95,7 @@ export class DomainOutline implements Layer {
 
     dispose(): void {
         this.lines.dispose();
-        this.labels.dispose();
+        this.labels?.dispose();
     }
 
     private labelEdge(edge: AxisEdge, project: (point: Vec3) => ScreenPoint | null): void {
@@ -148,7 +150,7 @@ export class DomainOutline implements Layer {
 
     private place(words: PlacedWords, text: string, className: string): void {
         this.placed.push(words);
-        this.labels.place(words, text, className);
+        this.labels?.place(words, text, className);
     }
 }
 

@@ -1,14 +1,16 @@
 // Shade where things are near each other, so that one sees whether a sheet touches a body. Looks at depth
 // alone: on a plane the depths of two pixels on opposite sides of a third have that of the third for their
 // mean, with perspective as without. Where both together are nearer than that, less light gets in. Each
-// picture looks at a few pairs of pixels, and the next one of the same mean (sampledPicture.ts) at others.
+// picture looks at a few pairs of pixels, and the next one of the same mean (sampledPicture.ts) at others. Of four pixels beside each other
+// each looks at pairs of its own, and has the mean of all four, so that the first picture has no dots.
 import {
     type Camera,
     Color,
     CustomBlending,
     DepthTexture,
     NearestFilter,
-    type Scene,
+    NoBlending,
+    Scene,
     SrcColorFactor,
     type Texture,
     UnsignedIntType,
@@ -74,12 +76,17 @@ export class ContactShade {
     /** The camera's depths of the near and the far plane. */
     private readonly planes = { value: new Vector2() };
     private readonly pixelsPerUnit = { value: 1 };
-    private target: WebGLRenderTarget | null = null;
+    private readonly found: { value: Texture | null } = { value: null };
+    private readonly finding = new Scene();
+    private targets: { depth: WebGLRenderTarget; found: WebGLRenderTarget } | null = null;
 
     constructor() {
-        const { depth, offsets, pairs: count, inside, perspective, planes, pixelsPerUnit } = this;
-        const uniforms = { depth, offsets, pairs: count, inside, perspective, planes, pixelsPerUnit };
-        this.object = fullScreen('over', { uniforms, fragmentShader });
+        const { depth, offsets, pairs: count, inside, perspective, planes, pixelsPerUnit, found } = this;
+        const uniforms = { depth, offsets, pairs: count, inside, perspective, planes, pixelsPerUnit, found };
+        const finding = fullScreen('over', { uniforms, fragmentShader: findShader });
+        finding.material.blending = NoBlending;
+        this.finding.add(finding);
+        this.object = fullScreen('over', { uniforms, fragmentShader: laidShader });
         const material = this.object.material;
         material.blending = CustomBlending;
         [material.blendSrc, material.blendDst] = [ZeroFactor, SrcColorFactor];
@@ -96,22 +103,26 @@ export class ContactShade {
         if (part === null || into !== null) return;
         const size = renderer.getDrawingBufferSize(new Vector2());
         const before = { colour: renderer.getClearColor(new Color()), alpha: renderer.getClearAlpha(), auto: renderer.autoClear };
-        renderer.setRenderTarget(this.targetOf(size));
+        const targets = this.targetsOf(size);
+        renderer.setRenderTarget(targets.depth);
         renderer.autoClear = true;
         drawDepth(renderer, opaque, camera, shadedLayer);
         renderer.autoClear = false;
         drawDense();
+        this.sample(camera, size, part);
+        renderer.setRenderTarget(targets.found);
+        renderer.render(this.finding, camera);
         renderer.autoClear = before.auto;
         renderer.setClearColor(before.colour, before.alpha);
         renderer.setRenderTarget(null);
-        this.sample(camera, size, part);
         this.object.visible = true;
     }
 
     release(): void {
-        this.target?.depthTexture?.dispose();
-        this.target?.dispose();
-        this.target = null;
+        this.targets?.depth.depthTexture?.dispose();
+        this.targets?.depth.dispose();
+        this.targets?.found.dispose();
+        this.targets = null;
     }
 
     private sample(camera: Camera, size: Vector2, { sample, samples, pairs: count, pixelRatio, ...part }: ShadePart): void {
@@ -128,35 +139,44 @@ export class ContactShade {
         this.inside.value.set(-part.x, low, part.width - part.x, low + part.height);
     }
 
-    private targetOf({ x, y }: Vector2): WebGLRenderTarget {
-        if (this.target?.width === x && this.target.height === y) return this.target;
+    private targetsOf({ x, y }: Vector2): { depth: WebGLRenderTarget; found: WebGLRenderTarget } {
+        if (this.targets?.depth.width === x && this.targets.depth.height === y) return this.targets;
         this.release();
         const filter = { minFilter: NearestFilter, magFilter: NearestFilter };
         const depthTexture = new DepthTexture(x, y, UnsignedIntType);
-        this.target = new WebGLRenderTarget(x, y, { depthTexture, ...filter });
+        const depth = new WebGLRenderTarget(x, y, { depthTexture, ...filter });
+        const found = new WebGLRenderTarget(x, y, { depthBuffer: false, ...filter });
         this.depth.value = depthTexture;
-        return this.target;
+        this.found.value = found.texture;
+        return (this.targets = { depth, found });
     }
 }
 
-const fragmentShader = `
+const depths = `
 uniform highp sampler2D depth;
-uniform vec2 offsets[${pairs.figure}];
-uniform int pairs;
 uniform vec4 inside;
 uniform bool perspective;
 uniform vec2 planes;
 uniform float pixelsPerUnit;
 layout(location = 0) out vec4 left;
 
+/** How much nearer to the eye a pixel's width is, as a difference of depths. */
+float scaleAt(float here) {
+    float range = planes.y - planes.x;
+    float distance = planes.x * planes.y / (planes.y - here * range);
+    return perspective ? distance * range / (planes.x * planes.y) * pixelsPerUnit : range * pixelsPerUnit;
+}`;
+
+const findShader = `${depths}
+uniform vec2 offsets[${pairs.figure}];
+uniform int pairs;
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     float here = texelFetch(depth, at, 0).r;
-    if (here >= 1.0) discard;
-    float range = planes.y - planes.x;
-    // How much nearer to the eye a pixel's width is, as a difference of depths.
-    float distance = planes.x * planes.y / (planes.y - here * range);
-    float scale = perspective ? distance * range / (planes.x * planes.y) * pixelsPerUnit : range * pixelsPerUnit;
+    left = vec4(1.0);
+    if (here >= 1.0) return;
+    float scale = scaleAt(here);
     // Of four pixels beside each other each looks at other pairs: steps of the shade fall between them.
     ivec2 own = (at - ivec2(inside.xy)) & 1;
     float turn = (float(own.x + 2 * own.y) - 1.5) * 0.5 / float(pairs);
@@ -174,4 +194,24 @@ void main() {
         shade += clamp(1.4 * both, 0.0, 1.0) * (1.0 - smoothstep(1.0, 2.2, max(nearer.x, nearer.y)));
     }
     left = vec4(vec3(1.0 - 0.75 * min(1.0, 1.5 * shade / float(pairs))), 1.0);
+}`;
+
+const laidShader = `${depths}
+uniform sampler2D found;
+// In widths of a pixel: what is that much nearer or further beside it is another thing.
+const float steepest = 4.0;
+
+void main() {
+    ivec2 at = ivec2(gl_FragCoord.xy);
+    float here = texelFetch(depth, at, 0).r;
+    if (here >= 1.0) discard;
+    float scale = scaleAt(here);
+    vec2 sum = vec2(0.0);
+    for (int i = 0; i < 4; ++i) {
+        ivec2 beside = at + ivec2(i & 1, i >> 1);
+        if (any(greaterThanEqual(vec2(beside), inside.zw))) continue;
+        if (abs(texelFetch(depth, beside, 0).r - here) * scale > steepest) continue;
+        sum += vec2(texelFetch(found, beside, 0).r, 1.0);
+    }
+    left = vec4(vec3(sum.x / sum.y), 1.0);
 }`;

@@ -1,6 +1,6 @@
 // The solid body in the picture: a little further away in depth than it is, cut where surfaces are, coloured by a field, with lines of equal
 // values, and with the flow along it as a texture, that of surfaces (flowTexture.ts), in the material that the scene lights. Programs with
-// the texture light vertices, not pixels: what that saves, the texture takes.
+// the texture light vertices, not pixels: what that saves, the texture takes. Bodies of other datasets are as it is, in grey.
 import {
     BufferAttribute,
     BufferGeometry,
@@ -53,12 +53,22 @@ export interface BodyVertex {
     flow: Vec3 | null;
 }
 
+/** Of another dataset. */
+export interface OtherBody {
+    mesh: BodyMesh;
+    hidden: readonly CellSpan[];
+}
+
+type ObstacleMesh = ReturnType<typeof createObstacleMesh>;
+
 export class DrawnBody {
     readonly object = new Group();
     private readonly surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>;
+    private readonly requestFrame: () => void;
     private readonly flowTime = { value: 0 };
     private readonly opacity = { value: 1 };
-    private mesh: ReturnType<typeof createObstacleMesh> | null = null;
+    private mesh: ObstacleMesh | null = null;
+    private others: ObstacleMesh[] = [];
     private planes: Planes = [];
     /** They may come before the body does. */
     private flow: Float32Array | null = null;
@@ -69,8 +79,9 @@ export class DrawnBody {
     private indices: Uint32Array | null = null;
     private program = plain;
 
-    constructor(surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>) {
+    constructor(surfaces: Pick<SurfaceLayer, 'shared' | 'textures' | 'bodyPush'>, requestFrame: () => void) {
         this.surfaces = surfaces;
+        this.requestFrame = requestFrame;
         this.fieldUniforms = {
             colours: { value: surfaces.textures.colours('viridis') },
             fieldRange: { value: new Vector2(0, 1) },
@@ -82,15 +93,20 @@ export class DrawnBody {
         return this.mesh?.geometry ?? null;
     }
 
-    /** What a pointer can be at: null where it is hidden. */
-    get seen(): BufferGeometry | null {
-        return this.object.visible ? this.geometry : null;
+    /** What a pointer can be at: nothing where it is hidden. */
+    get seen(): BufferGeometry[] {
+        return this.object.visible ? this.meshes.map(({ geometry }) => geometry) : [];
+    }
+
+    private get meshes(): ObstacleMesh[] {
+        return [...(this.mesh === null ? [] : [this.mesh]), ...this.others];
     }
 
     /** @param opacity 0: it is hidden */
     setOpacity(opacity: number): void {
         this.object.visible = opacity > 0;
         this.opacity.value = opacity;
+        this.requestFrame();
     }
 
     /** Returns whether the flow along it is seen. */
@@ -116,24 +132,40 @@ export class DrawnBody {
 
     set(body: BodyMesh): void {
         this.clear();
-        this.mesh = createObstacleMesh(body);
-        this.mesh.layers.enable(shadedLayer);
-        pushBack(this.mesh.material, this.surfaces.bodyPush);
-        giveValues(this.mesh.material, this.surfaces.shared, this.flowTime, {
-            ...this.fieldUniforms,
-            opacityOfBody: this.opacity,
-        });
-        clipMaterial(this.mesh.material, this.planes);
-        this.object.add(this.mesh);
+        this.mesh = this.add(body);
         this.indices = body.indices;
         this.showIndices();
         this.applyValues();
+        this.requestFrame();
+    }
+
+    setOthers(bodies: readonly OtherBody[]): void {
+        for (const each of this.others) this.discard(each);
+        this.others = bodies.map(({ mesh, hidden }) => this.add({ ...mesh, indices: withoutCells(mesh.indices, hidden) }));
+        this.requestFrame();
+    }
+
+    private add(body: BodyMesh): ObstacleMesh {
+        const mesh = createObstacleMesh(body);
+        mesh.layers.enable(shadedLayer);
+        pushBack(mesh.material, this.surfaces.bodyPush);
+        giveValues(mesh.material, this.surfaces.shared, this.flowTime, { ...this.fieldUniforms, opacityOfBody: this.opacity });
+        clipMaterial(mesh.material, this.planes);
+        this.object.add(mesh);
+        return mesh;
+    }
+
+    private discard(mesh: ObstacleMesh): void {
+        this.object.remove(mesh);
+        mesh.geometry.dispose();
+        mesh.material.dispose();
     }
 
     /** Cells that are not drawn, in the order of what was fetched. */
     setHidden(hidden: readonly CellSpan[]): void {
         this.hidden = hidden;
         this.showIndices();
+        this.requestFrame();
     }
 
     private showIndices(): void {
@@ -146,20 +178,18 @@ export class DrawnBody {
     remove(): void {
         this.clear();
         this.flow = this.field = null;
+        this.requestFrame();
     }
 
     private clear(): void {
         this.program = plain;
-        if (this.mesh === null) return;
-        this.object.remove(this.mesh);
-        this.mesh.geometry.dispose();
-        this.mesh.material.dispose();
+        if (this.mesh !== null) this.discard(this.mesh);
         this.mesh = null;
     }
 
     setClip(planes: Planes): void {
         this.planes = planes;
-        if (this.mesh !== null) clipMaterial(this.mesh.material, planes);
+        for (const { material } of this.meshes) clipMaterial(material, planes);
     }
 
     /** Null: it is plain. @param textured the flow along it is shown */
@@ -167,12 +197,14 @@ export class DrawnBody {
         this.flow = textured ? (values?.flow ?? null) : null;
         this.field = values?.field?.map((value) => (Number.isNaN(value) ? noValue : value)) ?? null;
         this.applyValues();
+        this.requestFrame();
     }
 
     setColours({ map, inverted, range: [low, high], contourStep }: BodyColours): void {
         this.fieldUniforms.colours.value = this.surfaces.textures.colours(map);
         this.fieldUniforms.fieldRange.value.set(inverted ? high : low, inverted ? low : high);
         this.fieldUniforms.contourStep.value = contourStep;
+        this.requestFrame();
     }
 
     /** For how much simulation time the flow has gone; null: no clock moves it. */
@@ -180,6 +212,7 @@ export class DrawnBody {
         this.flowTime.value = time ?? 0;
         this.moving = time !== null;
         this.showValues();
+        if (this.textured) this.requestFrame();
     }
 
     private applyValues(): void {

@@ -90,6 +90,12 @@ export class SurfaceLayer {
         this.transparency.setBounds(bounds);
     }
 
+    /** Whether what can be seen through is drawn in the quickest way, as screen doors. */
+    setDoors(on: boolean): void {
+        this.shared.doors.value = on;
+        this.transparency.setDoors(on);
+    }
+
     setClip(planes: Planes, body: boolean): void {
         setPlanes(this.shared.clip.value, planes);
         setPlanes(this.bodyClip.value, body ? planes : []);
@@ -282,7 +288,6 @@ export class SurfaceLayer {
         const transparent = isTransparent(surface.style);
         const plain = isPlain(surface.style) && !this.clipped;
         if (transparent) {
-            this.object.remove(mesh.mesh);
             this.transparency.show(mesh.mesh, materials);
         } else {
             this.transparency.hide(mesh.mesh);

@@ -53,6 +53,8 @@ export function sharedUniforms() {
         clip: { value: noPlanes() },
         depthRange: { value: new Vector2(0, 1) },
         respectPaint: { value: true },
+        /** What can be seen through is drawn as screen doors. */
+        doors: { value: false },
         pixelRatio: { value: 1 },
         flowed: { value: 0 },
         noise: { value: null as DataArrayTexture | null },

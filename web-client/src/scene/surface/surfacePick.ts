@@ -47,14 +47,14 @@ export class SurfacePick {
     }
 
     /** Returns what is exactly there. */
-    at(view: View, body: BufferGeometry | null, at: ScreenPoint, options: PickOptions = {}): PickHit | null {
-        return this.grid(view, body, at, 0, options).hits[0] ?? null;
+    at(view: View, bodies: readonly BufferGeometry[], at: ScreenPoint, options: PickOptions = {}): PickHit | null {
+        return this.grid(view, bodies, at, 0, options).hits[0] ?? null;
     }
 
-    grid(view: View, body: BufferGeometry | null, at: ScreenPoint, radius: number, options: PickOptions = {}): PickGrid {
+    grid(view: View, bodies: readonly BufferGeometry[], at: ScreenPoint, radius: number, options: PickOptions = {}): PickGrid {
         const size = 2 * radius + 1;
         const corner = { x: at.x - radius, y: at.y - radius };
-        const surfaces = this.fillScene(body);
+        const surfaces = this.fillScene(bodies);
         this.layer.shared.respectPaint.value = options.throughPaint !== true;
         const target = this.targetOf(size);
         this.draw(windowOf(view, corner, size), target);
@@ -80,8 +80,8 @@ export class SurfacePick {
         this.bodyMaterial.dispose();
     }
 
-    private fillScene(body: BufferGeometry | null): PickedSurface[] {
-        if (body !== null) this.scene.add(proxyOf(body, this.bodyMaterial));
+    private fillScene(bodies: readonly BufferGeometry[]): PickedSurface[] {
+        for (const body of bodies) this.scene.add(proxyOf(body, this.bodyMaterial));
         return this.layer.all.map(({ id, mesh, materials }, i) => {
             materials.pickId = firstSurfaceId + i;
             if (mesh.mesh.visible) this.scene.add(proxyOf(mesh.mesh.geometry, materials.pick));

@@ -6,6 +6,7 @@
 import { cutLevel } from '../../mesh/meshChange.ts';
 import { flowTextureGlsl, flowVertexGlsl } from './flowTexture.ts';
 import { patternGlsl, piecesGlsl } from './patternShader.ts';
+import { screenDoorGlsl } from './renderPasses.ts';
 import { endSlack } from './splatEnds.ts';
 import { tableSize } from './colourMap.ts';
 
@@ -240,6 +241,8 @@ float opacityAt(float facing, float seedsPerPixel, float areaPerPixel) {
 }`;
 
 const main = `
+uniform bool doors;
+${screenDoorGlsl}
 void main() {
     vec3 toViewer = isOrthographic ? vec3(0.0, 0.0, 1.0) : normalize(-viewPosition);
     vec3 n = normalize(viewNormal);
@@ -290,7 +293,7 @@ void main() {
     weights = vec4(alpha * weight, 0.0, 0.0, 1.0);
 #endif
 #else
-    if (revealed() < 0.5) discard;
+    if (doors ? !isThere(opacityAt(facing, abs(determinant(slope)), areaPerPixel), gl_FrontFacing ? ivec2(0) : ivec2(2, 1)) : revealed() < 0.5) discard;
     drawn = linearToOutputTexel(vec4(colour, 1.0));
 #endif
 #endif

@@ -4,7 +4,7 @@
 // exact, depth peeling (Everitt 2001) draws the surfaces once for each layer, of which every pixel keeps the nearest fragment behind the
 // layer before; layers are laid one under the other, as colours of the screen, so that a layer before another lets through what it lets
 // through of an opaque body, and what is behind the last one is blended by weights. Where nothing is transparent nothing of this is drawn
-// or kept.
+// or kept. Where even the weights take too long, surfaces are among the opaque things, as screen doors.
 import {
     type Camera,
     Color,
@@ -40,6 +40,7 @@ export class Transparency {
     readonly object = new Group();
     /** Whether the next picture has everything in its exact order, which costs several times as much. */
     exact = false;
+    private doors = false;
     private readonly scene = new Scene();
     private readonly materials = new Map<Mesh, TransparentMaterials>();
     private readonly blending = new WeightedBlending();
@@ -72,13 +73,24 @@ export class Transparency {
 
     show(mesh: Mesh, materials: TransparentMaterials): void {
         this.materials.set(mesh, materials);
-        mesh.material = materials.blended;
-        this.scene.add(mesh);
+        this.place(mesh, materials);
     }
 
     hide(mesh: Mesh): void {
         this.materials.delete(mesh);
-        this.scene.remove(mesh);
+        mesh.removeFromParent();
+    }
+
+    /** @param on as screen doors, in one pass */
+    setDoors(on: boolean): void {
+        if (on === this.doors) return;
+        this.doors = on;
+        for (const [mesh, materials] of this.materials) this.place(mesh, materials);
+    }
+
+    private place(mesh: Mesh, materials: TransparentMaterials): void {
+        mesh.material = this.doors ? materials.opaque : materials.blended;
+        (this.doors ? this.object : this.scene).add(mesh);
     }
 
     /** Before the picture is drawn. */

@@ -51,6 +51,16 @@ export class RecordActions {
         });
     }
 
+    /** A rake with a surface in other data, as the server suggests them; what is added next is of those, too. */
+    addDataset(dataset: string): Promise<void> {
+        return this.attempt('other dataset', async (call) => {
+            const { rake: first, surfaces } = await this.worker.call('dataset.suggest', { dataset });
+            const rake = await this.make(call, first, { seeds: first.seeds, name: this.freeName('Rake') });
+            const { surface } = await call('surface.set', { rake, dataset, ...surfaces[0]! });
+            this.choose({ surface });
+        });
+    }
+
     /** A little beside the first, with surfaces like its own. */
     duplicate(id: string): Promise<void> {
         return this.attempt('duplicate', async (call) => {
@@ -112,7 +122,7 @@ export class RecordActions {
     private async likeActive(rake: string): Promise<SurfaceSetting> {
         const { surface, dataset: shown } = this.state;
         const like = surface.value;
-        if (like?.rake !== undefined && like.kind !== 'time') {
+        if (like?.rake !== undefined && like.kind !== 'time' && like.dataset === shown.value?.dataset) {
             const { surface: _surface, rev: _rev, epoch: _epoch, ...setting } = like;
             return { ...setting, rake };
         }

@@ -6,7 +6,7 @@ import { announceUnlessDisconnected } from '../base/calls.ts';
 import type { Edits } from './edits.ts';
 
 export interface RecordDraftsOptions<R extends { dataset: string }, P extends object> {
-    state: Pick<AppState, 'dataset' | 'problems'>;
+    state: Pick<AppState, 'dataset' | 'described' | 'pictured' | 'problems'>;
     edits: Pick<Edits, 'gestures' | 'history'>;
     /** As methods call them: `slice`. */
     noun: string;
@@ -21,7 +21,7 @@ export interface RecordDraftsOptions<R extends { dataset: string }, P extends ob
 }
 
 export class RecordDrafts<R extends { dataset: string }, P extends object> {
-    /** Those of the dataset that is shown, as they are drawn. */
+    /** Those of the data in the picture, as they are drawn. */
     readonly places = signal<ReadonlyMap<string, P>>(new Map());
     private readonly options: RecordDraftsOptions<R, P>;
     private readonly drafts = new Map<string, P>();
@@ -32,7 +32,7 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
         this.options = options;
         effect(() => {
             const records = options.records.value;
-            void options.state.dataset.value;
+            void options.state.pictured.value;
             for (const [id, record] of records) if (!this.sending.has(id) && this.agrees(id, record)) this.drafts.delete(id);
             untracked(() => this.publish());
         });
@@ -112,7 +112,7 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
         const { state, records, placeOf, gone } = this.options;
         const places = new Map<string, P>();
         for (const [id, record] of records.peek()) {
-            if (record.dataset === state.dataset.peek()?.dataset) places.set(id, this.drafts.get(id) ?? placeOf(record));
+            if (state.described(record.dataset) !== null) places.set(id, this.drafts.get(id) ?? placeOf(record));
         }
         for (const id of this.places.peek().keys()) if (!places.has(id)) gone(id);
         this.places.value = places;

@@ -33,9 +33,11 @@ function bench(change: Partial<DatasetDescription> = {}) {
             },
         },
         scene: {
-            setBodyColours: (colours) => void coloured.push(colours),
-            setBodyValues: (values) => void shown.push(values?.flow[0] ?? null),
-            setBodyTime: (by) => void moved.push(by),
+            body: {
+                setColours: (colours) => void coloured.push(colours),
+                setValues: (values) => void shown.push(values?.flow[0] ?? null),
+                setTime: (by) => void moved.push(by),
+            },
         },
         worker: {
             bodyValues: (_dataset, _lattice, at, field) => {

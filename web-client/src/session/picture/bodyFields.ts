@@ -16,7 +16,7 @@ import { coloursOf } from './usualColours.ts';
 export interface BodyFieldsOptions {
     state: Pick<AppState, 'dataset' | 'datasetEntry' | 'notices' | 'stage' | 'times'>;
     view: Pick<ViewState, 'body'>;
-    scene: Pick<FlowScene, 'setBodyColours' | 'setBodyTime' | 'setBodyValues'>;
+    scene: { body: Pick<FlowScene['body'], 'setColours' | 'setTime' | 'setValues'> };
     worker: Pick<WorkerClient, 'bodyValues'>;
     server: Pick<OwnServer, 'fetch'>;
     /** Returns the time of the picture; no number where nothing has one. */
@@ -93,7 +93,7 @@ export class BodyFields {
         const { state, scene, view } = options;
         effect(() => {
             const [first = 0] = state.times.value;
-            scene.setBodyTime(options.moves() ? this.time() - first : null);
+            scene.body.setTime(options.moves() ? this.time() - first : null);
         });
         effect(() => {
             const wish = this.wish.value;
@@ -107,7 +107,7 @@ export class BodyFields {
             if (span === null) return;
             const [low, high] = span.colours;
             const contourStep = contours ? niceStep((high - low) / contourLines) : 0;
-            scene.setBodyColours({ map: span.map, inverted: invert, range: span.colours, contourStep });
+            scene.body.setColours({ map: span.map, inverted: invert, range: span.colours, contourStep });
         });
     }
 
@@ -177,7 +177,7 @@ export class BodyFields {
         const { scene, state } = this.options;
         this.answered.value = '';
         this.extent.value = null;
-        scene.setBodyValues(null, false);
+        scene.body.setValues(null, false);
         state.notices.solved(about);
     }
 
@@ -198,7 +198,7 @@ export class BodyFields {
             if (this.wish.value === null || state.dataset.value?.dataset !== dataset) continue;
             if (failure === null) {
                 this.show(values, dataset, wish.field);
-                scene.setBodyValues(values, view.body.value.texture);
+                scene.body.setValues(values, view.body.value.texture);
                 state.notices.solved(about);
             } else state.notices.tell(about, failure);
             this.failed.value = failure !== null;

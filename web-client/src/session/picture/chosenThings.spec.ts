@@ -13,7 +13,7 @@ function opened(only: string) {
     connectChosenThings({
         state,
         view,
-        scene: { body: { setOpacity: () => undefined, setHidden: () => undefined }, loop: { request: () => undefined } },
+        scene: { body: { setOpacity: () => undefined, setHidden: () => undefined } },
     });
     return { state, view };
 }

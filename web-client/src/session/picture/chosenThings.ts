@@ -10,17 +10,26 @@ import type { ViewState } from '../../state/viewState.ts';
 export interface ChosenThingsOptions {
     state: Pick<
         AppState,
-        'activeRake' | 'activeSurface' | 'allPatchesShown' | 'dataset' | 'lines' | 'rakes' | 'slices' | 'stage' | 'surfaces'
+        | 'activeRake'
+        | 'activeSurface'
+        | 'allPatchesShown'
+        | 'dataset'
+        | 'lines'
+        | 'pictured'
+        | 'rakes'
+        | 'slices'
+        | 'stage'
+        | 'surfaces'
     >;
     view: Pick<ViewState, 'body' | 'changeVisibility' | 'chosenThing' | 'visibility'>;
-    scene: { body: Pick<FlowScene['body'], 'setHidden' | 'setOpacity'>; loop: Pick<FlowScene['loop'], 'request'> };
+    scene: { body: Pick<FlowScene['body'], 'setHidden' | 'setOpacity'> };
 }
 
 /** Returns the ids of what can be chosen and shown alone. */
-export function thingsThere(state: Pick<AppState, 'dataset' | 'lines' | 'rakes' | 'slices' | 'surfaces'>): Set<string> {
+export function thingsThere(state: Pick<AppState, 'lines' | 'pictured' | 'rakes' | 'slices' | 'surfaces'>): Set<string> {
     const { rakes, surfaces, slices, lines } = state;
     const there = new Set([rakes, surfaces, slices, lines].flatMap(({ value }) => [...value.keys()]));
-    if (hasBoundary(state.dataset.value)) there.add(bodyId);
+    if (state.pictured.value.some((each) => hasBoundary(each))) there.add(bodyId);
     return there;
 }
 
@@ -33,11 +42,9 @@ export function connectChosenThings({ state, view, scene }: ChosenThingsOptions)
     effect(() => {
         const visibility = view.visibility.value;
         scene.body.setOpacity(shows(visibility, bodyId) ? opacityOf(visibility, bodyId) : 0);
-        scene.loop.request();
     });
     effect(() => {
         scene.body.setHidden(hiddenCells(state.dataset.value, view.body.value, state.allPatchesShown.value));
-        scene.loop.request();
     });
     // Only what was there can be gone: a link is read before the records are here.
     const seen = new Set<string>();

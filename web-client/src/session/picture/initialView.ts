@@ -6,9 +6,21 @@ import type { CameraControls } from '../../scene/camera/cameraControls.ts';
 import type { Bounds } from '../../scene/domain/domainAxes.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
 import type { AppState } from '../../state/appState.ts';
+import { picturedBounds } from './picturedBounds.ts';
 
 export interface InitialViewOptions {
-    state: Pick<AppState, 'activeSurface' | 'dataset' | 'displayed' | 'editsPending' | 'phase' | 'rakePoints' | 'surface'>;
+    state: Pick<
+        AppState,
+        | 'activeSurface'
+        | 'dataset'
+        | 'displayed'
+        | 'editsPending'
+        | 'otherDatasets'
+        | 'phase'
+        | 'pictured'
+        | 'rakePoints'
+        | 'surface'
+    >;
     controls: Pick<CameraControls, 'offer'>;
     surfaces: Pick<SurfaceLayer, 'boxOf'>;
     /** Returns whether a handle is held. */
@@ -22,7 +34,9 @@ export function frameFirstSurface({ state, controls, surfaces, dragging }: Initi
     /** Of what was final last. */
     let last = { surface: '', kind: '', epoch: 0 };
     const offer = (surface: string): boolean => {
-        const box = around(surfaces.boxOf(surface), state.rakePoints.value);
+        // Of several datasets the picture shows all.
+        const whole = state.otherDatasets.value.size > 0 ? picturedBounds(state) : null;
+        const box = whole ?? around(surfaces.boxOf(surface), state.rakePoints.value);
         return box === null || controls.offer(box);
     };
     effect(() => {

@@ -47,6 +47,8 @@ export class Lines {
     readonly meanings = signal<ReadonlyMap<string, FieldMeaning>>(new Map());
     /** Why nothing is seen of one. */
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
+    /** The server has not answered for long. */
+    readonly late = signal<ReadonlyMap<string, true>>(new Map());
     /** What there is of one. */
     readonly told = signal<ReadonlyMap<string, string>>(new Map());
     /** One is not there. */
@@ -67,6 +69,7 @@ export class Lines {
             fetch: (path, init) => server.fetch(path, init),
             arrived: (id, lines, wish) => this.arrived(id, lines, wish),
             told: (id, fault) => this.tell(id, fault),
+            late: (id, late) => putInto(this.late, id, late ? true : null),
             changed: () => (this.waiting.value = this.values.unfinished),
         });
         this.drafts = new RecordDrafts<LinesRecord, LinesPlace>({
@@ -98,6 +101,10 @@ export class Lines {
         this.drafts.change(id, change);
     }
 
+    retry(id: string): void {
+        this.values.retry(id);
+    }
+
     remove(id: string): Promise<void> {
         return this.drafts.remove(id);
     }
@@ -113,10 +120,11 @@ export class Lines {
 
     private wishAll(): void {
         const { state, view, time } = this.options;
-        const description = state.dataset.value;
-        if (description === null || state.stage.value !== 'running') return;
-        const shown = { dataset: description.dataset, time: dataTime(description, time()) };
+        if (state.stage.value !== 'running') return;
         for (const [id, place] of this.places.value) {
+            const description = state.described(state.lines.value.get(id)?.dataset ?? '');
+            if (description === null) continue;
+            const shown = { dataset: description.dataset, time: dataTime(description, time()) };
             if (!shows(view.visibility.value, id)) {
                 untracked(() => this.forget(id));
                 continue;

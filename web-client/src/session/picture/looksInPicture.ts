@@ -5,10 +5,11 @@ import type { CameraControls } from '../../scene/camera/cameraControls.ts';
 import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { SurfaceLayer } from '../../scene/surface/surfaceLayer.ts';
-import type { AppState } from '../../state/appState.ts';
+import { type AppState, speedRangeOf } from '../../state/appState.ts';
 import { planeNumbers, showsSurface, type SlicePlane } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { picturedBounds } from './picturedBounds.ts';
 import { attributesOf, automaticRanges, joinedRanges, styleOf } from './surfaceStyleOf.ts';
 
 export interface LooksOptions {
@@ -36,7 +37,8 @@ export function showLooks({ state, view, scene, worker, slicePlane }: LooksOptio
         for (const [id, record] of state.surfaces.value) {
             const rake = state.rakes.value.get(record.rake ?? '');
             const outcome = state.outcomes.value.get(id);
-            const facts = { record, rake, outcome, dataset: state.dataset.value, speedRange: state.speedRange.value, ...ranges };
+            const dataset = state.described(record.dataset);
+            const facts = { record, rake, outcome, dataset, speedRange: speedRangeOf(dataset), ...ranges };
             scene.surfaces.setStyle(id, styleOf({ look: view.lookOf(id), ...facts }));
         }
         scene.loop.request();
@@ -72,8 +74,8 @@ export function showLooks({ state, view, scene, worker, slicePlane }: LooksOptio
         }
     });
     effect(() => {
-        const bounds = state.dataset.value?.bounds;
-        if (bounds === undefined) return;
+        const bounds = picturedBounds(state);
+        if (bounds === null) return;
         const clip = view.clip.value;
         scene.setClip(planeNumbers(clip, bounds, slicePlane(clip.slice?.id ?? '') ?? null), clip.body);
     });

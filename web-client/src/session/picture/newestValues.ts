@@ -22,6 +22,8 @@ export interface NewestValuesOptions<W, V> {
     arrived: (id: string, values: V, wish: W) => void;
     /** Why there are none for what is wanted; null: there are. */
     told: (id: string, fault: string | null) => void;
+    /** Of one that the server has not answered for long, and once it has. */
+    late?: ((id: string, late: boolean) => void) | undefined;
     /** Told when `unfinished` may be another. */
     changed?: () => void;
     now?: () => number;
@@ -38,6 +40,8 @@ interface Thing<W> {
 
 /** So long it stands still before it is fine. */
 const restMs = 150;
+/** Whoever waits longer is told. */
+export const lateMs = 10_000;
 
 export class NewestValues<W, V> {
     private readonly options: NewestValuesOptions<W, V>;
@@ -86,6 +90,11 @@ export class NewestValues<W, V> {
         }
     }
 
+    /** What has not been answered is not waited for any more, and asked for again. */
+    retry(id: string): void {
+        this.things.get(id)?.asked?.abort.abort();
+    }
+
     private next(id: string, thing: Thing<W>): void {
         if (thing.asked !== null) return;
         const { key, answered } = thing;
@@ -107,6 +116,9 @@ export class NewestValues<W, V> {
         const begun = now();
         let fault: string | null = null;
         let values: V | null = null;
+        let isLate = false;
+        const tellLate = (now: boolean): void => this.options.late?.(id, (isLate = now));
+        const late = setTimeout(() => tellLate(true), lateMs);
         try {
             const reply = await fetch(path(wish, detail), { signal: asked.abort.signal });
             if (!reply.ok) throw await faultOf(reply);
@@ -115,6 +127,8 @@ export class NewestValues<W, V> {
         } catch (error) {
             fault = requestWords(error);
         }
+        clearTimeout(late);
+        if (isLate) tellLate(false);
         thing.asked = null;
         if (this.things.get(id) !== thing) return;
         // What was cancelled was not answered.
@@ -130,8 +144,12 @@ export class NewestValues<W, V> {
 }
 
 /** Calls back whenever the data are others, or the server is there again: what could not be had may be there now. */
-export function onOtherData(state: Pick<AppState, 'datasetEntry' | 'stage'>, again: () => void): void {
-    const data = computed(() => JSON.stringify([state.datasetEntry.value?.values, state.datasetEntry.value?.steps.ready]));
+export function onOtherData(state: Pick<AppState, 'datasetEntry' | 'datasets' | 'stage'>, again: () => void): void {
+    const data = computed(() => {
+        const entries = [...(state.datasetEntry.value === null ? [] : [state.datasetEntry.value]), ...state.datasets.value];
+        const known = new Map(entries.map(({ dataset, values, steps }) => [dataset, `${values} ${steps.ready}`]));
+        return JSON.stringify([...known].sort());
+    });
     effect(() => {
         void data.value;
         if (state.stage.value === 'running') untracked(again);

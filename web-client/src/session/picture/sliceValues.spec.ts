@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { lateMs } from './newestValues.ts';
 import { type SliceWish, pathOf, SliceValues } from './sliceValues.ts';
 
 const wish = (z: number): SliceWish => ({ dataset: 'flow', origin: [0, 0, z], normal: [0, 0, 1], field: 'p', time: 1 });
@@ -17,11 +18,13 @@ class Server {
     readonly asked: string[] = [];
     readonly arrived: number[] = [];
     readonly faults: (string | null)[] = [];
+    readonly late: boolean[] = [];
     readonly values = new SliceValues({
         fetch: (path, { signal }) => this.fetch(path, signal!),
         fullSamples: () => 800,
         arrived: (_, __, { origin }) => this.arrived.push(origin[2]),
         told: (_, fault) => this.faults.push(fault),
+        late: (_, late) => this.late.push(late),
         now: () => 0,
     });
 
@@ -54,6 +57,20 @@ describe('the values of a slice', () => {
         expect(pathOf({ ...wish(0.5), field: 'p rgh' }, 640)).toBe(
             'api/v1/datasets/flow/slice.bin?plane=0%2C0%2C0.5%3A0%2C0%2C1&field=p+rgh&samples=640&time=1',
         );
+    });
+
+    it('are late after ten seconds, and can be asked for again', async () => {
+        const server = new Server();
+        server.values.want('c1', wish(0));
+        await vi.advanceTimersByTimeAsync(lateMs - 1);
+        expect(server.late).toEqual([]);
+        await vi.advanceTimersByTimeAsync(1);
+        expect([server.late, server.asked]).toEqual([[true], ['0 coarse']]);
+        server.values.retry('c1');
+        await vi.advanceTimersByTimeAsync(0);
+        expect([server.late, server.asked, server.faults]).toEqual([[true, false], ['0 coarse', '0 coarse'], []]);
+        await server.answer();
+        expect([server.arrived, server.late]).toEqual([[0], [true, false]]);
     });
 
     it('come coarsely at once, and as fine as the screen when the plane rests', async () => {

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { SliceRecord } from '../../protocol/messages.ts';
 import { noSliceValue } from '../../protocol/sliceFile.ts';
 import { PageBench } from '../../testing/pageBench.ts';
+import { datasetOf } from '../../testing/records.ts';
 import { rested } from '../../testing/shownPanel.ts';
 import { Slices } from './slicesInPicture.ts';
 import { FieldColours } from './fieldColours.ts';
@@ -102,4 +103,15 @@ describe('the colours of a slice', () => {
         expect(coloursOf(-3, 1)).toEqual({ map: 'coolToWarm', range: [-3, 3] });
         expect(coloursOf(-0.01, 1).map).toBe('viridis');
     });
+});
+
+it('is of its own data, at the time of the picture as far as they have it', () => {
+    const page = new PageBench();
+    const { asked } = slicesOf(page);
+    page.state.slices.value = new Map([['c1', { ...record, dataset: 'short' }]]);
+    expect(asked.splice(0).length, 'before they are known').toBe(1);
+    page.state.otherDatasets.value = new Map([
+        ['short', datasetOf({ dataset: 'short', times: [1, 2], bounds: [0, 1, 0, 1, 0, 1] })],
+    ]);
+    expect(asked.map((path) => [path.includes('datasets/short'), /time=([^&]*)/.exec(path)?.[1]])).toEqual([[true, '2']]);
 });

@@ -58,6 +58,8 @@ export class Slices {
     private readonly numbers = signal<ReadonlyMap<string, { area: number; mean: number; key: string }>>(new Map());
     /** Why nothing is seen of one. */
     readonly faults = signal<ReadonlyMap<string, string>>(new Map());
+    /** The server has not answered for long. */
+    readonly late = signal<ReadonlyMap<string, true>>(new Map());
     /** One is not there, or not as fine as the screen. */
     readonly waiting = signal(false);
     /** From changes by this page to their pictures, in milliseconds: the last ones. */
@@ -84,6 +86,7 @@ export class Slices {
             fullSamples: () => Math.max(scene.size.width, scene.size.height),
             arrived: (id, raster, wish) => this.arrived(id, raster, wish),
             told: (id, fault) => this.tell(id, fault),
+            late: (id, late) => putInto(this.late, id, late ? true : null),
             changed: () => this.count(),
         });
         const arrows = new SliceArrowLayer();
@@ -148,6 +151,10 @@ export class Slices {
         return numbers !== undefined && place !== undefined && numbers.key === shownKey(id, place, place) ? numbers : null;
     }
 
+    retry(id: string): void {
+        this.values.retry(id);
+    }
+
     remove(id: string): Promise<void> {
         return this.drafts.remove(id);
     }
@@ -199,14 +206,14 @@ export class Slices {
 
     private wishAll(): void {
         const { state, view } = this.options;
-        const description = state.dataset.value;
-        if (description === null || state.stage.value !== 'running') return;
-        const { dataset } = description;
-        const time = dataTime(description, this.options.time());
+        if (state.stage.value !== 'running') return;
         const visibility = view.visibility.value;
         for (const [id, { origin, normal, field, minus }] of this.places.value) {
-            // The edit is about to be refused, in words.
-            if (!shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
+            const dataset = state.slices.value.get(id)?.dataset ?? '';
+            const description = state.described(dataset);
+            // Beside its data: the edit is about to be refused, in words.
+            if (description === null || !shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
+            const time = dataTime(description, this.options.time());
             const less = minus === null ? {} : { minus: minusWish(minus, dataset, time, (other) => this.nameOf(other)) };
             const wish = { dataset, origin, normal, field, time, ...less };
             this.values.want(id, wish);

@@ -19,9 +19,9 @@ export function isosurfaceWords({ field = '', level = 0 }: SurfaceRecord, datase
     return `${fieldWords(field, dataset)} = ${shortNumber(Number(level.toPrecision(4)))}`;
 }
 
-export function ownerName({ rakes, dataset }: Pick<AppState, 'rakes' | 'dataset'>, record: SurfaceRecord): string {
-    if (record.rake === undefined) return isosurfaceWords(record, dataset.value);
-    return rakes.value.get(record.rake)?.name || record.rake;
+export function ownerName(state: Pick<AppState, 'described' | 'rakes'>, record: SurfaceRecord): string {
+    if (record.rake === undefined) return isosurfaceWords(record, state.described(record.dataset));
+    return state.rakes.value.get(record.rake)?.name || record.rake;
 }
 
 /** The colour of a surface that is coloured by nothing. */

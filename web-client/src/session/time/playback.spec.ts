@@ -127,6 +127,51 @@ describe('Playback of a surface that moves', () => {
     });
 });
 
+describe('Playback where other data move as well', () => {
+    function several() {
+        const page = bench('streak');
+        const other = surfaceOf('o', { dataset: 'other', kind: 'streak', from: 3, to: 9 });
+        page.state.surfaces.value = new Map([...page.state.surfaces.value, ['o', other]]);
+        page.state.otherDatasets.value = new Map([['other', datasetOf({ dataset: 'other', times: [3, 6, 9] })]]);
+        return page;
+    }
+
+    it('is of all their times, and steps through those of each', async () => {
+        const { playback, state, calls } = several();
+        expect([playback.own.value, playback.span.value]).toEqual([
+            [1, 5],
+            [1, 9],
+        ]);
+        playback.goTo(5);
+        await playback.step(1);
+        expect([state.clock.value?.time, playback.time.value]).toEqual([6, 6]);
+        await playback.play();
+        expect(calls).toEqual([{ speed: 0.8, loop: true, from: 1, to: 9 }]);
+    });
+
+    it('goes on with them where the chosen surface has come to its end', async () => {
+        const { playback, state } = several();
+        const at = (s: number, o: number): void => {
+            const other = displayedOf('o', { time: o });
+            state.displayed.value = new Map([
+                ['s', displayedOf('s', { time: s })],
+                ['o', other],
+            ]);
+        };
+        await playback.play();
+        at(4, 4);
+        expect(playback.time.value).toBe(4);
+        at(5, 7);
+        expect(playback.time.value).toBe(7);
+    });
+
+    it('is of its own times alone while the others are hidden', () => {
+        const { playback, state } = several();
+        state.hiddenSurfaces.value = new Set(['o']);
+        expect(playback.span.value).toEqual([1, 5]);
+    });
+});
+
 describe('Playback of a stream surface', () => {
     it('freezes the field at one time-step after the other, as fast as asked', async () => {
         const { playback, intent, time } = bench('stream');

@@ -4,7 +4,7 @@
 // is there.
 import { computed, effect, signal } from '@preact/signals-core';
 import { type Clock, systemClock, type Timer } from '../../connection/clock.ts';
-import type { AppState } from '../../state/appState.ts';
+import type { AppState, DisplayedSurface } from '../../state/appState.ts';
 import type { ClockControl } from './clockControl.ts';
 import type { Edits } from '../edits/edits.ts';
 import type { UndoHistory } from '../edits/undoHistory.ts';
@@ -61,9 +61,21 @@ export class Playback {
 
     /** The span of the surface, or of all time-steps for a stream surface: the earlier end first, also
      *  where time runs backward. */
-    readonly span = computed((): Span => {
+    readonly own = computed((): Span => {
         const [a, b] = this.ends.value;
         return [Math.min(a, b), Math.max(a, b)];
+    });
+
+    /** What is played: that span, and of a clock those of what moves in other data as well, since it is one for all. */
+    readonly span = computed((): Span => {
+        const { dataset, hiddenSurfaces, surfaces } = this.options.state;
+        if (this.mode.value !== 'clock') return this.own.value;
+        const others = [...surfaces.value.values()].filter(
+            (each) =>
+                each.kind !== 'stream' && each.dataset !== dataset.value?.dataset && !hiddenSurfaces.value.has(each.surface),
+        );
+        const all = [...this.own.value, ...others.flatMap(({ from, to }) => [from, to])];
+        return [Math.min(...all), Math.max(...all)];
     });
 
     /** From the release of the surface to where it ends, which is earlier for a backward one. */
@@ -90,10 +102,23 @@ export class Playback {
         // Slices and streamlines have a time also where no surface is chosen.
         if (this.mode.value !== 'clock') return edits.intent.value?.from ?? shownTime(state);
         const record = state.clock.value!;
-        const displayed = state.displayed.value.get(state.activeSurface.value ?? '');
+        const displayed = this.clockOf(state.activeSurface.value ?? '');
         if (record.playing && displayed !== undefined) return displayed.time;
         return record.time === null ? this.ends.value[1] : clampTo(this.span.value, record.time);
     });
+
+    /** What is on the screen of a surface that goes with the clock: of another where this one has come to an end of its time. */
+    private clockOf(active: string): DisplayedSurface | undefined {
+        const { displayed, surfaces } = this.options.state;
+        const own = displayed.value.get(active);
+        const [low, high] = this.own.value;
+        if (own === undefined || (own.time > low && own.time < high) || sameSpan(this.span.value, this.own.value)) return own;
+        const going = [...surfaces.value.values()].find(({ surface, kind, from, to }) => {
+            const time = displayed.value.get(surface)?.time ?? Number.NaN;
+            return kind !== 'stream' && time > Math.min(from, to) && time < Math.max(from, to);
+        });
+        return displayed.value.get(going?.surface ?? active);
+    }
 
     readonly playing = computed((): boolean =>
         this.mode.value === 'clock' ? this.options.state.clock.value!.playing : this.frozenPlaying.value,
@@ -143,7 +168,9 @@ export class Playback {
     async step(sign: 1 | -1): Promise<void> {
         const at = this.time.value;
         await this.pause();
-        this.goTo(stepFrom(this.options.state.times.value, at, sign, this.span.value));
+        const { pictured, times } = this.options.state;
+        const others = this.mode.value === 'clock' ? pictured.value.slice(1).flatMap((each) => each.times) : [];
+        this.goTo(stepFrom([...times.value, ...others], at, sign, this.span.value));
     }
 
     async toEnd(sign: 1 | -1): Promise<void> {
@@ -249,4 +276,8 @@ export class Playback {
         this.waiting = null;
         this.frozenPlaying.value = false;
     }
+}
+
+function sameSpan(a: Span, b: Span): boolean {
+    return a[0] === b[0] && a[1] === b[1];
 }

@@ -6,6 +6,7 @@ import type { AppState } from '../../state/appState.ts';
 import { thickest, thinnest } from '../../state/lineLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { sliderRow } from '../base/rows.ts';
+import { lateRow } from '../base/lateRow.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { aboutPoint, acrossAxis, alongRake, type Bounds, inPlane, offWalls, type SeedsPlace } from './linesPlaces.ts';
 import { linesSettings } from './linesSettings.ts';
@@ -50,6 +51,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
         return html`
             ${locked ? nothing : this.adding(dataset.bounds, dataset.obstacle)}
             ${said === undefined ? nothing : html`<p role="status" class="quiet" id="streamlines-told">${said}</p>`}
+            ${lateRow(lines.late.value.has(id), () => lines.retry(id))}
             ${
                 place === null || locked
                     ? nothing

@@ -5,6 +5,7 @@ import { placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
+import { picturedBounds } from '../../session/picture/picturedBounds.ts';
 import { coordinateText } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ClipPlane, ClipPlanes } from '../../state/pageView.ts';
@@ -18,7 +19,7 @@ import { LookGroup, lookStyles } from './lookStyles.ts';
 const axes = ['x', 'y', 'z'] as const;
 
 export interface ClipModel {
-    state: Pick<AppState, 'dataset'>;
+    state: Pick<AppState, 'dataset' | 'pictured'>;
     view: Pick<ViewState, 'clip'>;
 }
 
@@ -58,7 +59,7 @@ export class ClipPanel extends ModelElement<ClipModel> {
     }
 
     private plane(axis: string, index: number, plane: ClipPlane): TemplateResult {
-        const bounds = this.model.state.dataset.value?.bounds ?? [0, 1, 0, 1, 0, 1];
+        const bounds = picturedBounds(this.model.state) ?? [0, 1, 0, 1, 0, 1];
         const [low, high] = [bounds[2 * index] ?? 0, bounds[2 * index + 1] ?? 1];
         const place = coordinateText(this.model.state, index, low + plane.at * (high - low));
         return html`<div class="plane" role="group" aria-label=${`Plane across ${axis}`}>

@@ -7,6 +7,8 @@ import type { SlicePlace } from '../../session/picture/slicesInPicture.ts';
 import { bodyId } from '../../state/pageView.ts';
 import { newSlice } from '../../state/viewState.ts';
 import { PageBench } from '../../testing/pageBench.ts';
+import { isolated } from '../../state/announcements.ts';
+import { datasetOf, surfaceOf } from '../../testing/records.ts';
 import { rested, ShownPanel } from '../../testing/shownPanel.ts';
 import './pictureList.ts';
 
@@ -39,6 +41,19 @@ const names = () => panel.all('.thing .cut:not(.about)').map(({ textContent }) =
 const chosen = () => panel.all('.thing[aria-pressed="true"]').map((each) => each.dataset['thing']);
 const unseen = () => panel.all('.thing.unseen').map((each) => each.dataset['thing']);
 const choose = (id: string): Promise<void> => panel.click(`.thing[data-thing="${id}"]`);
+
+it('says of which data things are where there are several, and has one row for their bodies', async () => {
+    const { state } = bench;
+    expect(panel.all('.data')).toEqual([]);
+    state.otherDatasets.value = new Map([['fine', datasetOf({ dataset: 'fine', name: 'fine', obstacle: true })]]);
+    state.surfaces.value = new Map([
+        ...state.surfaces.value,
+        ['l1', surfaceOf('l1', { dataset: 'fine', kind: 'level', rake: undefined })],
+    ]);
+    await rested();
+    expect(panel.all('.data').map(({ textContent }) => textContent)).toEqual(['flow', 'fine'].map(isolated));
+    expect(names().at(-1)).toBe('Bodies');
+});
 
 describe('what is in the picture', () => {
     it('is one list: a rake, isosurfaces, slices and the body, each with what it is coloured by', async () => {

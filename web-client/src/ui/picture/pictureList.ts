@@ -66,6 +66,11 @@ export class PictureList extends ModelElement<PictureListModel> {
             font-size: 12px;
             font-weight: 400;
         }
+        .data {
+            display: block;
+            font-size: 12px;
+            font-weight: 400;
+        }
         .row {
             display: grid;
             gap: 6px;
@@ -133,7 +138,7 @@ export class PictureList extends ModelElement<PictureListModel> {
 
     private entry(thing: PicturedThing): TemplateResult {
         const { view } = this.model;
-        const { id, name, about, title, shown } = thing;
+        const { id, name, about, data, title, shown } = thing;
         const visibility = view.visibility.value;
         const isAlone = visibility.only === id || (visibility.only === chosenRake && thing.kind === 'rake' && shown);
         return html`<li>
@@ -146,7 +151,7 @@ export class PictureList extends ModelElement<PictureListModel> {
                 @click=${thing.choose}
             >
                 ${sign(thing)}
-                <span class="cut">${name}</span>
+                <span class="cut">${name}${data === undefined ? nothing : html`<span class="data cut quiet">${data}</span>`}</span>
                 <span class="about cut quiet">${about}</span>
             </button>
             ${turnable(!shown, ['hidden', 'seen'], `Hide ${isolated(name)}`, 'Hide it on this page', () => {

@@ -32,6 +32,8 @@ export interface PicturedThing {
     name: string;
     /** What it is, and what it is coloured by, in short words. */
     about: string;
+    /** Names of the data that it is of, where the picture has several. */
+    data?: string;
     /** The whole of it. */
     title: string;
     /** Null: it has none of its own. */
@@ -48,8 +50,24 @@ export interface PicturedThing {
 /** In the order of the list. */
 const kinds: readonly ((model: PictureListModel) => PicturedThing[])[] = [rakes, isosurfaces, slices, lines, body];
 
+/** Where there are several datasets, with which one each is of. */
 export function picturedThings(model: PictureListModel): PicturedThing[] {
-    return kinds.flatMap((kind) => kind(model));
+    const { state } = model;
+    const things = kinds.flatMap((kind) => kind(model));
+    if (state.pictured.value.length < 2) return things;
+    return things.map((thing) => {
+        const data = datasetsOf(state, thing).map((id) => isolated(state.described(id)?.name ?? id));
+        return data.length === 0 ? thing : { ...thing, title: `${thing.title} of ${data.join(', ')}`, data: data.join(', ') };
+    });
+}
+
+function datasetsOf({ lines, slices, surfaces }: AppState, { id, kind }: PicturedThing): string[] {
+    if (kind === 'rake') {
+        const own = [...surfaces.value.values()].filter(({ rake }) => rake === id);
+        return [...new Set(own.map(({ dataset }) => dataset))];
+    }
+    const record = surfaces.value.get(id) ?? slices.value.get(id) ?? lines.value.get(id);
+    return record === undefined ? [] : [record.dataset];
 }
 
 export function rakeName({ name, rake }: RakeRecord): string {
@@ -90,7 +108,7 @@ function isosurfaces(model: PictureListModel): PicturedThing[] {
     const levels = [...state.surfaces.value.values()].filter(({ rake }) => rake === undefined);
     return levels.map((record) => {
         const id = record.surface;
-        const name = isosurfaceWords(record, state.dataset.value);
+        const name = isosurfaceWords(record, state.described(record.dataset));
         const { colour } = view.lookOf(id);
         return {
             ...{ id, kind: 'isosurface', name, about: colourWords(view, id), title: 'isosurface' },
@@ -133,15 +151,15 @@ function lines({ view, lines: loaded }: PictureListModel): PicturedThing[] {
 }
 
 function body({ state, view }: PictureListModel): PicturedThing[] {
-    const dataset = state.dataset.value;
-    if (!hasBoundary(dataset)) return [];
+    const several = state.pictured.value.filter((each) => hasBoundary(each));
+    if (several.length === 0) return [];
     const { colourBy } = view.body.value;
     const about = colourBy === 'constant' ? 'grey' : byWords(colourBy);
     return [
         {
             id: bodyId,
             kind: 'body',
-            name: dataset?.obstacle === true ? 'Body' : 'Sides',
+            name: several.length > 1 ? 'Bodies' : several[0]!.obstacle ? 'Body' : 'Sides',
             about,
             title: 'of the data',
             colour: null,

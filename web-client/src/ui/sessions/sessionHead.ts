@@ -2,8 +2,10 @@
 import { css, html, type TemplateResult } from 'lit';
 import type { AppState } from '../../state/appState.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import './sessionsDialog.ts';
 import type { SessionsModel } from './sessionsDialog.ts';
+
+// After the start: only who asks for the list sees it.
+void import('./sessionsDialog.ts');
 
 export interface SessionHeadModel extends SessionsModel {
     state: SessionsModel['state'] & Pick<AppState, 'sessionName'>;

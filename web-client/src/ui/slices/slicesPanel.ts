@@ -12,6 +12,7 @@ import { mostContours } from '../../state/sliceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import { checkRow, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { otherTimeRow } from '../base/otherTimeRow.ts';
+import { lateRow } from '../base/lateRow.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { fieldWords } from '../../session/picture/surfaceOwner.ts';
 
@@ -123,6 +124,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
         const numbers = slices.numbersOf(id);
         return html`
             ${fault === undefined ? nothing : html`<p role="status" id="slice-fault">${fault}</p>`}
+            ${lateRow(slices.late.value.has(id), () => slices.retry(id))}
             ${
                 locked
                     ? nothing

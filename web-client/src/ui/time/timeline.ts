@@ -168,7 +168,7 @@ interface Slider {
 export interface TimelineModel {
     state: AppState;
     view: Pick<ViewState, 'units'>;
-    playback: Pick<Playback, 'goTo' | 'mode' | 'release' | 'span' | 'step' | 'time' | 'toEnd'>;
+    playback: Pick<Playback, 'goTo' | 'mode' | 'own' | 'release' | 'span' | 'step' | 'time' | 'toEnd'>;
     edits: Pick<Edits, 'intent' | 'changeSurface'>;
 }
 
@@ -196,8 +196,8 @@ export class Timeline extends ModelElement<TimelineModel> {
         const { playback, state } = this.model;
         const moving = playback.mode.value === 'clock';
         const times = state.times.value;
-        const surface = moving ? this.covered(playback.span.value) : null;
-        const line = timelineSpan(times, surface);
+        const surface = moving ? this.covered(playback.own.value) : null;
+        const line = timelineSpan(times, surface === null ? null : joined(surface, playback.span.value));
         const at = (time: number): string => `${((100 * (time - line[0])) / (line[1] - line[0])).toFixed(3)}%`;
         const { ticks, shared } = stepTicks(times, line, this.width.value / pxPerTick);
         this.toggleAttribute('shared', shared !== '');
@@ -236,7 +236,7 @@ export class Timeline extends ModelElement<TimelineModel> {
     /** Returns how far the backward side has come. */
     private otherNow(time: number, at: (time: number) => string): TemplateResult {
         const { playback, state } = this.model;
-        const x = at(otherSide(playback.span.value[0], time, state.times.value));
+        const x = at(otherSide(playback.own.value[0], time, state.times.value));
         return svg`<line class="now other" x1=${x} x2=${x} y1="4" y2="16" />`;
     }
 
@@ -248,7 +248,7 @@ export class Timeline extends ModelElement<TimelineModel> {
         if (record?.kind === 'level') {
             return svg`<rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />`;
         }
-        const released = releasedSpan(this.model.playback.span.value, record?.kind ?? 'path', backward, record?.releaseUntil);
+        const released = releasedSpan(this.model.playback.own.value, record?.kind ?? 'path', backward, record?.releaseUntil);
         const end = released[backward ? 0 : 1];
         return svg`
             <rect class="shown" x=${at(surface[0])} width=${width(...surface)} y="6" height="8" rx="2" />
@@ -408,6 +408,10 @@ const markBase = 33;
 const markHeight = 10;
 /** The height of what is there at all, however little. */
 const leastHeight = 1.5;
+
+function joined([a, b]: Span, [c, d]: Span): Span {
+    return [Math.min(a, c), Math.max(b, d)];
+}
 
 function heightOf(share: number): number {
     return share === 0 ? 0 : Math.max(leastHeight, markHeight * share);

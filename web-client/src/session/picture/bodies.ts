@@ -1,0 +1,34 @@
+// Bodies as the server has them, by dataset: fetched once, however many of its things are chosen one after the other.
+import type { BodyMesh } from '../../mesh/meshChange.ts';
+import type { DatasetDescription } from '../../protocol/messages.ts';
+import type { AppState } from '../../state/appState.ts';
+import type { WorkerClient } from '../../worker/workerClient.ts';
+
+export class Bodies {
+    private readonly state: Pick<AppState, 'datasets'>;
+    private readonly worker: Pick<WorkerClient, 'obstacle'>;
+    private readonly known = new Map<string, { key: string; mesh: Promise<BodyMesh | null> }>();
+
+    constructor(state: Pick<AppState, 'datasets'>, worker: Pick<WorkerClient, 'obstacle'>) {
+        this.state = state;
+        this.worker = worker;
+    }
+
+    /** Null: there is none. @param allPatches also those that are no part of the body */
+    of({ dataset, lattice }: DatasetDescription, allPatches: boolean): Promise<BodyMesh | null> {
+        const grid = gridOf(this.state.datasets.value.find((each) => each.dataset === dataset)?.values);
+        const key = JSON.stringify([grid, allPatches]);
+        const known = this.known.get(dataset);
+        if (known?.key === key) return known.mesh;
+        const mesh = this.worker.obstacle(dataset, lattice, allPatches);
+        this.known.set(dataset, { key, mesh });
+        // What could not be had may be there the next time.
+        mesh.catch(() => this.known.delete(dataset));
+        return mesh;
+    }
+}
+
+/** Of the words that values are told from others by, that of the grid. */
+export function gridOf(values: string | undefined): string {
+    return (values ?? '').split(' ')[0]!;
+}
