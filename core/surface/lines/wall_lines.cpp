@@ -18,6 +18,9 @@ namespace {
 
 /// Steps, after which a line ends.
 constexpr std::size_t steps_of_wall_line = 50'000;
+/// After so many steps with less way than this part of a gap a line has come to rest: it creeps along places where nearly nothing flows.
+constexpr std::size_t steps_of_gap = 500;
+constexpr double creeping = 0.1;
 /// In a row without any way, at a corner where triangles hand a line round.
 constexpr int steps_at_place = 64;
 /// A step changes the place in its triangle by less than such a part: the series below is exact to rounding then.
@@ -95,6 +98,13 @@ class Follower {
             if (step == steps_of_wall_line || stop.stop_requested()) {
                 line_.end = CurveEnd::Budget;
                 break;
+            }
+            if (step > 0 && step % steps_of_gap == 0) {
+                if (arc_ - arc_before_ < creeping * gap_) {
+                    line_.end = CurveEnd::Stagnation;
+                    break;
+                }
+                arc_before_ = arc_;
             }
             if (!advance())
                 break;
@@ -344,6 +354,7 @@ class Follower {
     Vec3 at_{0.0};         ///< the place in it, in parts of its corners
     float value_ = 0.0F;
     double arc_ = 0.0;
+    double arc_before_ = 0.0; ///< some steps ago
     double time_ = 0.0;
     int standing_ = 0;
     std::size_t crossings_ = 0, next_mark_ = 1;
