@@ -27,7 +27,7 @@ export class BodyRakePanel extends ModelElement<BodyRakesModel> {
         .buttons {
             display: flex;
             gap: 6px;
-            margin-top: 8px;
+            margin-block: 8px;
         }
         .buttons button {
             flex: 1;
