@@ -96,6 +96,18 @@ core::Result<std::vector<float>> field_beside(const std::vector<core::Vec3>& pla
     return out;
 }
 
+/// Returns how large walls are: a body may be small in its domain.
+double diagonal_of(const core::QuadComplex& walls) {
+    core::Box box{core::Vec3(0.0), core::Vec3(0.0)};
+    for (bool first = true; const core::Cell& cell : walls.cells)
+        for (const core::VertexId corner : cell.corner) {
+            const core::Vec3& at = walls.position[corner];
+            box = first ? core::Box{at, at} : core::Box{glm::min(box.lo, at), glm::max(box.hi, at)};
+            first = false;
+        }
+    return box.diagonal();
+}
+
 core::Result<core::StreamLines> lines_along(const Obstacle& walls,
                                             const core::LineSeeds& seeds,
                                             core::StreamLinesRequest request,
@@ -115,11 +127,10 @@ core::Result<core::StreamLines> lines_along(const Obstacle& walls,
     const auto places = core::even_wall_places(walls.mesh, seeds.seeds, stop);
     if (!places)
         return tl::unexpected(places.error());
-    const double diagonal = flow.domain().diagonal();
     if (!(request.length > 0.0))
-        request.length = core::lengths_in_domain * diagonal;
+        request.length = core::lengths_in_domain * flow.domain().diagonal();
     return core::trace_wall_lines(request, {walls.mesh, beside->velocity, *values}, *places,
-                                  diagonal / core::gaps_in_domain, memory, stop);
+                                  diagonal_of(walls.mesh) / core::gaps_in_domain, memory, stop);
 }
 
 /// Traces lines off walls or along them.

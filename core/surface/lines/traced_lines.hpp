@@ -14,7 +14,7 @@ namespace wakesurf::core {
 /// Why ends of lines are where they are; with both directions a line has two.
 struct LineEnds {
     std::uint32_t limit = 0;  ///< `duration` or `length`
-    std::uint32_t domain = 0; ///< the domain's border
+    std::uint32_t domain = 0; ///< the border of the domain, or of the wall along which it goes
     std::uint32_t wall = 0;
     std::uint32_t rest = 0; ///< the flow does not move there
     std::uint32_t cut = 0;  ///< it had as many points, or steps, as a line may have

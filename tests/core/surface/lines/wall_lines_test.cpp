@@ -178,6 +178,16 @@ TEST(WallLines, EndWhereTheFlowRestsAndAtTheBorder) {
     EXPECT_NEAR(std::max(std::abs(in.points.front().x), std::abs(in.points.front().y)), 1.0, 1e-9);
 }
 
+TEST(WallLines, ThatCreepWhereNearlyNothingFlowsHaveComeToRest) {
+    Wall valley = square(9);
+    valley.fill([](const Vec3& p) { return Vec3(-p.x, 1e-5, 0.0); });
+    const auto lines = value_of(traced(valley, {valley.nearest({0.5, 0.0, 0.5})},
+                                       {.direction = Direction::Forward, .length = 9.0}));
+    EXPECT_EQ(lines.ends.rest, 1u);
+    EXPECT_LT(std::abs(lines.points.back().x), 1e-6);
+    EXPECT_LT(lines.times.back(), 500.0F) << "it would take 1e5";
+}
+
 TEST(WallLines, ThatGoRoundCloseAndEnd) {
     Wall tube;
     constexpr int sides = 40;
