@@ -44,7 +44,7 @@ it('streamlines along the walls are added, and go off into the flow instead wher
     await page.locator('#streamlines-along').click();
     await page.getByText('200 lines.').waitFor();
     await page
-        .getByRole('button', { name: /200 along the walls/ })
+        .getByRole('button', { name: /200 along walls/ })
         .first()
         .waitFor();
     await page.locator('#streamlines-course').selectOption('walls');

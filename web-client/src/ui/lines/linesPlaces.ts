@@ -90,13 +90,13 @@ export function diagonalOf(bounds: Bounds): number {
 
 /** As short as it can be said. */
 export function seedsWords({ kind, points, distance, patches, seeds }: SeedsPlace): string {
-    const walls = patches.length === 0 ? 'the walls' : patches.map(isolated).join(', ');
+    const named = patches.map(isolated).join(', ');
     const places = {
         line: () => 'from a line',
         plane: () => `from a plane${axisWords(points)}`,
         sphere: () => `from a sphere of ${shortNumber(distance)}`,
-        walls: () => `from ${shortNumber(distance)} off ${walls}`,
-        along: () => `along ${walls}`,
+        walls: () => `from ${shortNumber(distance)} off ${named || 'the walls'}`,
+        along: () => `along ${named || 'walls'}`,
     };
     return `${seeds} ${places[kind]()}`;
 }
