@@ -1,13 +1,12 @@
 #include "core/surface/wall_caps.hpp"
 
+#include "core/surface/same_places.hpp"
+
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <numeric>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,30 +30,11 @@ double twice_area(const Point2& a, const Point2& b, const Point2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Numbers points by their places: patches that meet have points of their own there.
-std::vector<std::uint32_t> places_of(const std::vector<Vec3f>& points) {
-    const auto key =
-        [&](std::uint32_t i) { // of bits: what is no number has a place in the order as well
-            const auto bits = [](float value) {
-                return std::bit_cast<std::uint32_t>(value + 0.0F);
-            };
-            return std::tuple(bits(points[i].x), bits(points[i].y), bits(points[i].z), i);
-        };
-    std::vector<std::uint32_t> order(points.size()), places(points.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, key);
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        const bool same = k > 0 && points[order[k]] == points[order[k - 1]];
-        places[order[k]] = same ? places[order[k - 1]] : order[k];
-    }
-    return places;
-}
-
 using Edge = std::array<std::uint32_t, 2>;
 
 /// Returns the edges that one triangle has alone, in order. It takes 24 bytes a triangle.
 std::vector<Edge> border_of(const WallGeometry& walls) {
-    const std::vector<std::uint32_t> place = places_of(walls.points);
+    const std::vector<std::uint32_t> place = same_places(walls.points);
     std::vector<Edge> edges;
     edges.reserve(3 * walls.triangles.size());
     for (const auto& triangle : walls.triangles)

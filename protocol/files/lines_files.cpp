@@ -58,7 +58,7 @@ std::string lines_words(const core::StreamLines& lines) {
         out += fmt::format("; {} of {} seeds lie outside of the flow or in a body", lines.outside,
                            lines.seeds);
     const core::LineEnds& ends = lines.ends;
-    out += fmt::format("; ends: {} at the domain's border, {} at walls, {} where the flow rests, "
+    out += fmt::format("; ends: {} at the border, {} at walls, {} where the flow rests, "
                        "{} at the longest",
                        ends.domain, ends.wall, ends.rest, ends.limit);
     if (ends.cut > 0)

@@ -220,14 +220,16 @@ class Client(Helpful):
         return Slice.from_bytes(self._field_file(dataset, "slice.bin", query, field, time), field)
 
     def streamlines(self, dataset: str, *, line: Optional[Points] = None, plane: Optional[Points] = None,
-                    sphere: Optional[Tuple[Point, float]] = None, walls: Optional[float] = None, seeds: int = 50,
-                    direction: str = "both", duration: float = 0, length: float = 0, field: Optional[str] = None,
-                    time: Optional[float] = None) -> Streamlines:
+                    sphere: Optional[Tuple[Point, float]] = None, walls: Optional[float] = None, along_walls: bool = False,
+                    patches: Union[str, Sequence[str]] = (), seeds: int = 50, direction: str = "both", duration: float = 0,
+                    length: float = 0, field: Optional[str] = None, time: Optional[float] = None) -> Streamlines:
         """Returns streamlines of the flow at a time, from seeds on a `line` (its two ends), in a `plane` (a corner and the two
-        beside it), on a `sphere` (its centre and radius) or so far off the `walls`: exactly one of them. `seeds`: 1 to 4096.
-        `direction`: "forward", "backward" or "both". `duration`: the time of flight, and `length`: the length each way, after
-        which a line ends; 0: at the domain's border, at the latest after twice its diagonal. `field`: along the lines, as of
-        slice. Error: NotFound, InvalidParameters, OutsideTimeRange, OutsideDomain where all seeds lie beside the domain.
+        beside it), on a `sphere` (its centre and radius), so far off the `walls`, or with `along_walls` lines that lie on the walls and
+        follow the flow just beside them: exactly one of these. `patches`: names of those that walls mean (`patches` of `describe`),
+        also an inlet; left out, all walls of bodies. `seeds`: 1 to 4096. `direction`: "forward", "backward" or "both". `duration`: the
+        time of flight, and `length`: the length each way, after which a line ends; 0: at the domain's border, at the latest after
+        twice its diagonal. `field`: along the lines, as of slice. Error: NotFound, InvalidParameters, OutsideTimeRange, OutsideDomain
+        where all seeds lie beside the domain.
 
         >>> lines = client.streamlines("tornado", line=((0.3, 0.5, 0.1), (0.7, 0.5, 0.1)), seeds=5, time=0)
         >>> len(lines), lines.points.shape[1]
@@ -237,12 +239,14 @@ class Client(Helpful):
             *(["line:" + ":".join(point_text(each, "line") for each in line)] if line is not None else []),
             *(["plane:" + ":".join(point_text(each, "plane") for each in plane)] if plane is not None else []),
             *([f"sphere:{point_text(sphere[0], 'sphere')}:{float(plain(sphere[1], 'sphere'))!r}"] if sphere is not None else []),
-            *([f"walls:{float(plain(walls, 'walls'))!r}"] if walls is not None else [])]
+            *([f"walls:{float(plain(walls, 'walls'))!r}"] if walls is not None else []), *(["along"] if along_walls else [])]
         if len(given_seeds) != 1:
-            raise InvalidParameters("streamlines need one of `line`, `plane`, `sphere` and `walls`", -32602, "invalidParameters",
-                                    "as in line=((0, 0, 0), (1, 0, 0))")
+            raise InvalidParameters("streamlines need one of `line`, `plane`, `sphere`, `walls` and `along_walls`", -32602,
+                                    "invalidParameters", "as in line=((0, 0, 0), (1, 0, 0))")
         field = field or self._velocity(dataset)
-        query = {"from": given_seeds[0], "seeds": str(int(plain(seeds, "seeds"))), "direction": direction,
+        names = [patches] if isinstance(patches, str) else list(patches)
+        query = {"from": given_seeds[0], **({"patch": "\n".join(names)} if names else {}),
+                 "seeds": str(int(plain(seeds, "seeds"))), "direction": direction,
                  "duration": repr(float(plain(duration, "duration"))), "length": repr(float(plain(length, "length")))}
         return Streamlines.from_bytes(self._field_file(dataset, "lines.bin", query, field, time), field)
 

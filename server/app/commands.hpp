@@ -168,7 +168,8 @@ int run_slice(const SliceOptions& options);
 /// Holds the options as given; run_lines checks the texts.
 struct LinesOptions {
     std::string dataset;
-    std::string from; ///< where they are released
+    std::string from;                 ///< where they are released
+    std::vector<std::string> patches; ///< of --from walls, by name; empty: the walls of bodies
     std::uint32_t seeds = 50;
     std::string direction = "both";
     double duration = 0.0;      ///< 0: as long as it takes

@@ -48,6 +48,7 @@ Result<void> make_lines(const LinesOptions& options, const std::stop_token& stop
     if (!seeds)
         return tl::unexpected(seeds.error());
     seeds->seeds = options.seeds;
+    seeds->patches = options.patches;
     const auto direction = direction_of(options.direction);
     if (!direction)
         return tl::unexpected(direction.error());
@@ -91,8 +92,13 @@ void add_lines_options(CLI::App& command, LinesOptions& options) {
     command
         .add_option("--from", options.from,
                     "Where the lines are released: line:x,y,z:x,y,z, plane:x,y,z:x,y,z:x,y,z (a "
-                    "corner and those beside it), sphere:x,y,z:radius or walls:distance")
+                    "corner and those beside it), sphere:x,y,z:radius, "
+                    "walls:distance or along (on the walls, which the lines follow)")
         ->required();
+    command.add_option(
+        "--patch", options.patches,
+        "A patch of the boundary by its name, for --from walls:distance and along, instead of "
+        "all walls of bodies; may be given again");
     command.add_option("--seeds", options.seeds, "Number of seeds")
         ->check(CLI::Range(std::uint64_t{1}, limits::line_seeds))
         ->capture_default_str();

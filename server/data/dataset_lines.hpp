@@ -11,7 +11,7 @@
 
 namespace wakesurf::server {
 
-/// Error: as check_line_seeds and trace_stream_lines; NotFound for seeds off walls where there are none.
+/// Error: as check_line_seeds and trace_stream_lines; NotFound for seeds at walls or patches where there are none.
 core::Result<core::StreamLines> dataset_lines(const core::LineSeeds& seeds,
                                               const core::StreamLinesRequest& request,
                                               const LoadedDataset& dataset,

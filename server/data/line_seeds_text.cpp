@@ -25,8 +25,8 @@ struct KindOfSeeds {
     bool distance;
 };
 
-constexpr std::array<KindOfSeeds, 4> kinds_of_seeds{
-    {{"line", 2, false}, {"plane", 3, false}, {"sphere", 1, true}, {"walls", 0, true}}};
+constexpr std::array<KindOfSeeds, 5> kinds_of_seeds{
+    {{"line", 2, false}, {"plane", 3, false}, {"sphere", 1, true}, {"walls", 0, true}, {"along", 0, false}}};
 
 std::optional<double> distance_of(std::string_view text) {
     double number = 0.0;
@@ -43,10 +43,10 @@ core::Result<core::LineSeeds> parse_line_seeds(const std::string& text, const st
     const auto wrong = core::fail(
         core::Error::Code::InvalidArgument,
         option + ": '" + text.substr(0, 200) +
-            "' is neither line:x,y,z:x,y,z, plane:x,y,z:x,y,z:x,y,z, sphere:x,y,z:radius nor "
-            "walls:distance",
+            "' is neither line:x,y,z:x,y,z, plane:x,y,z:x,y,z:x,y,z, sphere:x,y,z:radius, "
+            "walls:distance nor along",
         "as in line:0,0,0:1,0,0, plane:0,0,0:1,0,0:0,1,0 (a corner and those beside it), "
-        "sphere:0,0,0:0.5 or walls:0.1");
+        "sphere:0,0,0:0.5, walls:0.1 or along (on the walls, which the lines follow)");
     std::vector<std::string_view> parts;
     for (std::string_view rest = text;;) {
         const auto end = rest.find(':');

@@ -8,7 +8,7 @@
 
 namespace wakesurf::server {
 
-/// Reads line:x,y,z:x,y,z, plane:x,y,z:x,y,z:x,y,z, sphere:x,y,z:radius or walls:distance. Not checked against a domain.
+/// Reads line:x,y,z:x,y,z, plane:x,y,z:x,y,z:x,y,z, sphere:x,y,z:radius, walls:distance or along. Not checked against a domain.
 /// @param option  what it is called in messages. Error: InvalidArgument.
 core::Result<core::LineSeeds> parse_line_seeds(const std::string& text, const std::string& option);
 

@@ -17,8 +17,6 @@ using core::Error;
 using core::Result;
 using core::WallGeometry;
 
-namespace {
-
 core::Error no_patch(const std::string& name, const std::vector<BoundaryPatch>& patches) {
     constexpr std::size_t most = 20;
     std::vector<std::string> known;
@@ -33,6 +31,8 @@ core::Error no_patch(const std::string& name, const std::vector<BoundaryPatch>& 
     return {Error::Code::NotFound, "there is no patch " + name,
             known.empty() ? "the data name no patches of their boundary" : "they are " + list};
 }
+
+namespace {
 
 /// Returns the patches of the names alone.
 Result<WallGeometry> named(const WallGeometry& walls, const std::vector<std::string>& names) {

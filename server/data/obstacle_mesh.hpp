@@ -31,6 +31,9 @@ struct PatchChoice {
     std::vector<std::string> names{};
 };
 
+/// Says that no patch has a name, and which names there are. Its code is NotFound.
+core::Error no_patch(const std::string& name, const std::vector<core::BoundaryPatch>& patches);
+
 /// Returns that of the solid nodes, or the walls of the store or of a built-in flow. Error: NotFound without an obstacle, and for
 /// names that no patch has; what reading reports.
 core::Result<Obstacle> obstacle_of(const LoadedDataset& dataset, const PatchChoice& choice = {});

@@ -8,10 +8,12 @@
 #include "server/net/download_request.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <charconv>
 #include <chrono>
 #include <memory>
+#include <sstream>
 #include <stop_token>
 #include <utility>
 
@@ -36,6 +38,15 @@ core::Result<std::uint32_t> read_line_seeds(const std::string& text) {
                     fmt::format("`seeds` is not a whole number from 1 to {}", limits::line_seeds),
                     "?seeds=50 releases 50 lines");
     return seeds;
+}
+
+/// Names of patches, a line each.
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> out;
+    std::istringstream rest(text);
+    for (std::string line; std::getline(rest, line);)
+        out.push_back(line);
+    return out;
 }
 
 core::Result<core::Direction> read_direction(const std::string& text) {
@@ -75,9 +86,8 @@ struct LinesWork {
     }
 
     PriorityClass priority() const {
-        return seeds.kind != core::LineSeeds::Kind::Walls && seeds.seeds <= quick_lines
-                   ? PriorityClass::Quick
-                   : PriorityClass::Long;
+        return !core::of_walls(seeds.kind) && seeds.seeds <= quick_lines ? PriorityClass::Quick
+                                                                         : PriorityClass::Long;
     }
 };
 
@@ -87,10 +97,13 @@ core::Result<LinesQuery> read_lines_query(const std::map<std::string, std::strin
     LinesQuery out;
     const auto take = [](auto& into) { return [&into](const auto& value) { into = value; }; };
     std::uint32_t seeds = core::LineSeeds{}.seeds;
+    std::vector<std::string> patches;
     for (const auto& [name, value] : query) {
         core::Result<void> read;
         if (name == "from")
             read = parse_line_seeds(value, "`from`").map(take(out.seeds));
+        else if (name == "patch")
+            patches = lines_of(value);
         else if (name == "seeds")
             read = read_line_seeds(value).map(take(seeds));
         else if (name == "direction")
@@ -106,15 +119,17 @@ core::Result<LinesQuery> read_lines_query(const std::map<std::string, std::strin
         else
             read = fail(Error::Code::InvalidArgument,
                         "lines have no parameter `" + name.substr(0, 64) + "`",
-                        "the parameters are ?from=line:0,0,0:1,0,0, ?seeds=50, ?direction=both, "
+                        "the parameters are ?from=line:0,0,0:1,0,0, ?patch=NAME, ?seeds=50, "
+                        "?direction=both, "
                         "?duration=2, ?length=10, ?field=p and ?time=2.5");
         if (!read)
             return tl::unexpected(read.error());
     }
     if (!query.contains("from"))
         return fail(Error::Code::InvalidArgument, "`from` is missing",
-                    "write ?from=line:0,0,0:1,0,0, plane:..., sphere:... or walls:...");
+                    "write ?from=line:0,0,0:1,0,0, plane:..., sphere:..., walls:... or along");
     out.seeds.seeds = seeds;
+    out.seeds.patches = patches;
     return out;
 }
 
@@ -132,9 +147,9 @@ core::Result<FieldFile> plan_lines(const std::map<std::string, std::string>& que
                          values->dataset,
                          &source.account};
     return FieldFile{
-        fmt::format("lines {} {} {} {} {} {}", values->tag, line_seeds_text(wanted->seeds),
-                    wanted->seeds.seeds, static_cast<int>(wanted->direction), wanted->duration,
-                    wanted->length),
+        fmt::format("lines {} {} {} {} {} {} {}", values->tag, line_seeds_text(wanted->seeds),
+                    fmt::join(wanted->seeds.patches, "\n"), wanted->seeds.seeds,
+                    static_cast<int>(wanted->direction), wanted->duration, wanted->length),
         work.priority(), [work](const std::stop_token& stop, core::MemoryAccount::Share& share) {
             return work.make(stop, share);
         }};

@@ -1,11 +1,14 @@
 // What of a session shows a field of a dataset beside its surfaces: slices and streamlines.
 #include "core/surface/slice/plane_window.hpp"
 #include "server/data/node_fields.hpp"
+#include "server/data/obstacle_mesh.hpp"
 #include "server/data/slice_field.hpp"
 #include "server/sessions/session.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -40,7 +43,12 @@ core::Result<void> check_lines(const protocol::LinesRecord& record, const OpenDa
             check_found(find_node_field(record.field, dataset.info, dataset.scalars.get()));
         !there)
         return there;
-    if (record.places.kind == core::LineSeeds::Kind::Walls && !dataset.info.obstacle)
+    const std::vector<core::BoundaryPatch>& patches = dataset.info.patches;
+    for (const std::string& name : record.places.patches)
+        if (std::ranges::find(patches, name, &core::BoundaryPatch::name) == patches.end())
+            return tl::unexpected(no_patch(name, patches));
+    if (core::of_walls(record.places.kind) && record.places.patches.empty() &&
+        !dataset.info.obstacle)
         return fail(Error::Code::InvalidArgument, "`kind`: the data have no walls",
                     "release the lines from a line, a plane or a sphere");
     if (record.low.has_value() != record.high.has_value() ||

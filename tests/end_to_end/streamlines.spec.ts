@@ -38,3 +38,19 @@ it('streamlines are released from a sphere, named by their field, taken back by 
         .waitFor();
     await bar.getByRole('figure', { name: /Vorticity z/ }).waitFor();
 }, 120_000);
+
+it('streamlines along the walls are added, and go off into the flow instead where that is chosen', async () => {
+    await page.getByRole('button', { name: 'New lines' }).click();
+    await page.locator('#streamlines-along').click();
+    await page.getByText('200 lines.').waitFor();
+    await page
+        .getByRole('button', { name: /200 along walls/ })
+        .first()
+        .waitFor();
+    await page.locator('#streamlines-course').selectOption('walls');
+    await expect.poll(async () => (await records()).at(-1)).toMatchObject({ kind: 'walls', seeds: 200, patches: [] });
+    await page
+        .getByRole('button', { name: /200 from .* off the walls/ })
+        .first()
+        .waitFor();
+}, 120_000);

@@ -107,3 +107,24 @@ describe('a chosen tool', () => {
         expect(await ask(page, (hook) => hook.rakePoints)).not.toEqual(before);
     });
 });
+
+it('a line that is clicked on the body becomes a rake off it', async () => {
+    await page.getByRole('tab', { name: 'Flow' }).click();
+    await page.getByRole('button', { name: 'New line on a body' }).click();
+    const onBody = await page.evaluate(() => {
+        const found: { x: number; y: number }[] = [];
+        for (let y = 60; y < 500; y += 10) {
+            for (let x = 60; x < 600; x += 10) if (window.wakesurf!.pick({ x, y })?.surface === null) found.push({ x, y });
+        }
+        return [found[0]!, found.at(-1)!];
+    });
+    for (const { x, y } of onBody) await page.mouse.click(x, y);
+    await page.getByText('2 of its points are set.').waitFor();
+    await page.getByRole('button', { name: 'End the line' }).click();
+    const session = await ask(page, (hook) => hook.session);
+    await expect
+        .poll(async () =>
+            ((await rig.server.call('rake.list', { session })) as { rakes: { kind: string }[] }).rakes.map(({ kind }) => kind),
+        )
+        .toContain('polyline');
+}, 60_000);

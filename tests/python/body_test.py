@@ -20,6 +20,15 @@ class BodyTest(ServerTest):
         for given in ({"patch": "hull"}, {"field": "nothing"}):
             with self.assertRaisesRegex(wakesurf.WakesurfError, "hull|nothing"):
                 self.client.body("sphere", **given)
+        with self.assertRaisesRegex(wakesurf.NotFound, "there is no patch hull"):
+            self.client.streamlines("sphere", walls=0.1, patches="hull")
+
+
+    def test_lines_along_it_lie_on_it(self):
+        lines = self.client.streamlines("sphere", along_walls=True, seeds=20)
+        self.assertEqual(len(lines), 20)
+        radii = (lines.points ** 2).sum(axis=1) ** 0.5
+        self.assertLess(radii.max() - radii.min(), 0.01 * radii.max())
 
 
 if __name__ == "__main__":

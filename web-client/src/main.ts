@@ -69,6 +69,7 @@ import { listenForPresses, listenForUndoKeys } from './ui/base/keyboard.ts';
 import { recallPanel } from './ui/view/room.ts';
 import { listenForViewKeys } from './ui/view/viewKeys.ts';
 import { loadPlots } from './ui/plots/loadPlots.ts';
+import { loadBodyRakes } from './ui/rake/loadBodyRakes.ts';
 import { loadLines } from './ui/lines/loadLines.ts';
 import { loadSlices } from './ui/slices/loadSlices.ts';
 import { WorkerClient } from './worker/workerClient.ts';
@@ -174,6 +175,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     const colours = new FieldColours();
     const inPicture = { state, view, scene, colours, server, worker, edits, time: () => playback.time.value };
     const [slices, lines] = [loadSlices(inPicture), loadLines(inPicture)];
+    const bodyRakes = loadBodyRakes({ state, view, scene, actions: edits.actions });
     const slicePlane = (id: string): SlicePlane | undefined => (slices.model.value?.slices.places ?? state.slices).value.get(id);
     showLooks({ state, view, scene, worker, slicePlane });
     const fieldsShown = { waiting: computed(() => slices.waiting.value || lines.waiting.value) };
@@ -242,6 +244,7 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
         rake: { state, view, edits, scene },
         slices: slices.model,
         lines: lines.model,
+        bodyRakes,
         means: { state, means },
         look: { state, view, edits, scene, bodyFields, ownCopy },
         bookmarks: { state, views, calls, clock },

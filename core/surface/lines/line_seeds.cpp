@@ -58,18 +58,6 @@ Vec3 triangle_place(const std::array<Vec3, 3>& of, double u, double v) {
     return of[0] + u * (of[1] - of[0]) + v * (of[2] - of[0]);
 }
 
-/// The two triangles of each cell, one where it is a triangle.
-std::vector<std::array<Vec3, 3>> triangles_of(const QuadComplex& wall) {
-    std::vector<std::array<Vec3, 3>> out;
-    for (const Cell& cell : wall.cells) {
-        const auto at = [&](std::size_t i) { return wall.position[cell.corner[i]]; };
-        out.push_back({at(0), at(1), at(2)});
-        if (cell.corner[3] != cell.corner[2])
-            out.push_back({at(0), at(2), at(3)});
-    }
-    return out;
-}
-
 double area_of(const std::array<Vec3, 3>& of) {
     const double area = 0.5 * glm::length(glm::cross(of[1] - of[0], of[2] - of[0]));
     return std::isfinite(area) ? area : 0.0;
@@ -77,15 +65,19 @@ double area_of(const std::array<Vec3, 3>& of) {
 
 /// Places evenly by area: where each lies in its triangle follows a sequence that leaves no gaps (Roberts' R2).
 std::vector<WallPlace> scattered(const QuadComplex& wall, std::size_t count) {
-    const auto triangles = triangles_of(wall);
+    const auto triangles = wall_triangles(wall);
+    const auto corners_of = [&](const std::array<VertexId, 3>& of) {
+        return std::array{wall.position[of[0]], wall.position[of[1]], wall.position[of[2]]};
+    };
     double area = 0.0;
     for (const auto& each : triangles)
-        area += area_of(each);
+        area += area_of(corners_of(each));
     if (!(area > 0.0))
         return {};
     std::vector<WallPlace> out;
     double passed = 0.0;
-    for (const auto& each : triangles) {
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        const std::array<Vec3, 3> each = corners_of(triangles[t]);
         passed += area_of(each);
         const Vec3 across = glm::cross(each[1] - each[0], each[2] - each[0]);
         while (out.size() < count &&
@@ -94,7 +86,7 @@ std::vector<WallPlace> scattered(const QuadComplex& wall, std::size_t count) {
             const double i = static_cast<double>(out.size()) + 0.5;
             const auto part = [&](double step) { return i * step - std::floor(i * step); };
             out.push_back({triangle_place(each, part(0.7548776662466927), part(0.5698402909980532)),
-                           glm::normalize(across)});
+                           glm::normalize(across), t});
         }
     }
     return out;
@@ -102,12 +94,23 @@ std::vector<WallPlace> scattered(const QuadComplex& wall, std::size_t count) {
 
 } // namespace
 
+std::vector<std::array<VertexId, 3>> wall_triangles(const QuadComplex& wall) {
+    std::vector<std::array<VertexId, 3>> out;
+    for (const auto& [corner, mid] : wall.cells) {
+        out.push_back({corner[0], corner[1], corner[2]});
+        if (corner[3] != corner[2])
+            out.push_back({corner[0], corner[2], corner[3]});
+    }
+    return out;
+}
+
 Result<void> check_line_seeds(const LineSeeds& seeds, const Box& domain) {
     using Kind = LineSeeds::Kind;
-    constexpr std::array<std::size_t, 4> counts{2, 3, 1, 0};
-    constexpr std::array<const char*, 4> words{
+    constexpr std::array<std::size_t, 5> counts{2, 3, 1, 0, 0};
+    constexpr std::array<const char*, 5> words{
         "a line has two points, its ends", "a plane has three points, a corner and those beside it",
-        "a sphere has one point, its centre", "seeds off the walls have no points"};
+        "a sphere has one point, its centre", "seeds off the walls have no points",
+        "lines along the walls have no points"};
     const auto kind = static_cast<std::size_t>(seeds.kind);
     if (seeds.points.size() != counts[kind])
         return unfit(std::string("`points`: ") + words[kind],
@@ -117,6 +120,8 @@ Result<void> check_line_seeds(const LineSeeds& seeds, const Box& domain) {
     for (const Vec3& each : seeds.points)
         if (!finite(each))
             return unfit("`points` are not finite numbers", "choose points in the domain");
+    if (!of_walls(seeds.kind) && !seeds.patches.empty())
+        return unfit("`patches` are of seeds at walls only", "leave them out");
     const double diagonal = domain.diagonal();
     // Lengths between points farther away are not finite, or have no digits left for the domain.
     for (const Vec3& each : seeds.points)
@@ -127,7 +132,7 @@ Result<void> check_line_seeds(const LineSeeds& seeds, const Box& domain) {
             return sound;
     } else if (seeds.distance != 0.0)
         return unfit("`distance` is of spheres and walls only", "leave it out");
-    if (seeds.kind == Kind::Walls)
+    if (of_walls(seeds.kind))
         return {};
     const auto side = [&](std::size_t i) { return seeds.points[i] - seeds.points[0]; };
     const double least = least_size * diagonal;
@@ -184,6 +189,7 @@ std::vector<Vec3> line_seed_places(const LineSeeds& seeds) {
         }
         break;
     case LineSeeds::Kind::Walls:
+    case LineSeeds::Kind::Along:
         break;
     }
     return out;

@@ -6,15 +6,12 @@
 #include "core/base/work_memory.hpp"
 #include "core/field/flow.hpp"
 #include "core/field/sampled_field.hpp"
+#include "core/surface/lines/traced_lines.hpp"
 #include "core/surface/surface_parameters.hpp"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <stop_token>
-#include <vector>
 
 namespace wakesurf::core {
 
@@ -30,28 +27,8 @@ struct StreamLinesRequest {
 /// A line that goes round for ever ends after so many diagonals of the domain.
 inline constexpr double lengths_in_domain = 2.0;
 
-/// Why ends of lines are where they are; with both directions a line has two.
-struct LineEnds {
-    std::uint32_t limit = 0;  ///< `duration` or `length`
-    std::uint32_t domain = 0; ///< the domain's border
-    std::uint32_t wall = 0;
-    std::uint32_t rest = 0; ///< the flow does not move there
-    std::uint32_t cut = 0;  ///< it had as many points, or steps, as a line may have
-};
-
-struct StreamLines {
-    std::vector<Vec3> points;  ///< of all lines, one after the other, downstream
-    std::vector<float> times;  ///< of flight at each point, from the seed; negative upstream
-    std::vector<float> values; ///< of the field there; NaN where it has none
-    std::vector<std::uint32_t> offsets; ///< line i has the points from offsets[i] to offsets[i + 1]
-    std::vector<std::uint32_t> seed;    ///< the number of its seed, a line
-    std::uint32_t seeds = 0;            ///< all of them
-    std::uint32_t outside = 0; ///< of them in bodies or outside of the domain: they have no line
-    LineEnds ends;
-    std::optional<std::array<float, 2>> range; ///< of the values; nothing where there is none
-
-    std::size_t lines() const { return seed.size(); }
-};
+/// Two points of a line are at most so far apart: a part of the domain's diagonal.
+inline constexpr double gaps_in_domain = 250.0;
 
 /// Traces them. Two points of a line are at most a 250th of the domain's diagonal apart, and lie as close as a turn of 3 degrees needs.
 /// Runs in parallel; the bytes do not depend on the number of threads.

@@ -77,17 +77,22 @@ TEST(RecordText, EveryRecordComesBackWithTheSameBits) {
     const SliceRecord slice{"c1",    2,   "data", {0.1, 1e-300, -0.0}, {1.0 / 3.0, 2, 0}, "p",
                             "other", 0.1, {}};
     EXPECT_EQ(*parse_slice(record_text(slice)), slice);
-    const LinesRecord lines{"l1",
-                            2,
-                            "data",
-                            {core::LineSeeds::Kind::Sphere, {{0.1, 1e-300, -0.0}}, 1.0 / 3.0, 7},
-                            core::Direction::Backward,
-                            0.1,
-                            0.2,
-                            -1.0,
-                            1.0 / 7.0,
-                            "p"};
+    const LinesRecord lines{
+        "l1",
+        2,
+        "data",
+        {core::LineSeeds::Kind::Sphere, {{0.1, 1e-300, -0.0}}, 1.0 / 3.0, 7, {"in \"let", ""}},
+        core::Direction::Backward,
+        0.1,
+        0.2,
+        -1.0,
+        1.0 / 7.0,
+        "p"};
     EXPECT_EQ(*parse_lines(record_text(lines)), lines);
+    std::string older = record_text(lines);
+    older.erase(older.find("\"patches\""),
+                std::string_view("\"patches\":[\"in \\\"let\",\"\"],").size());
+    EXPECT_TRUE(parse_lines(older)->places.patches.empty()) << older;
     const SessionHead head{"a name", 1234, 5, 6, 7, 8};
     EXPECT_EQ(*parse_session_head(record_text(head)), head);
     const SessionHead measured{"a name", 1234, 5, 6, 7, 8, {"mm", ""}, 9, 10};

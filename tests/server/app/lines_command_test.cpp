@@ -57,6 +57,7 @@ TEST_F(LinesCommand, WritesAPointOfALineInEachRow) {
     EXPECT_GT(rows, 40);
     EXPECT_EQ(run({"flow:sphere", "--from", "sphere:0,0,0:0.8", "-o", file("a.vtp")}).exit_status,
               0);
+    EXPECT_EQ(run({"flow:sphere", "--from", "along", "-o", file("along.csv")}).exit_status, 0);
     std::ifstream vtp(file("a.vtp"));
     std::stringstream text;
     text << vtp.rdbuf();
@@ -79,6 +80,7 @@ TEST_F(LinesCommand, RefusesWhatItCannotWriteInWords) {
     refused({"--from", "line:99,0,0:99,1,0", "-o", file("a.vtp")}, "move them inside");
     refused({"--from", line, "--field", "nothing", "-o", file("a.vtp")}, "nothing");
     refused({"--from", line, "--seeds", "1000000", "-o", file("a.vtp")}, "4096");
+    refused({"--from", "walls:0.1", "--patch", "hull", "-o", file("a.vtp")}, "no patch hull");
     refused({"--from", line, "--direction", "up", "-o", file("a.vtp")}, "no direction");
 }
 

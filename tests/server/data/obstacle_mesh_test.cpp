@@ -1,5 +1,6 @@
 // The patches that are chosen of a boundary: each with its own triangles, wherever they stand in the list.
 #include "server/data/obstacle_mesh.hpp"
+#include "tests/support/patched_flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,57 +17,9 @@ using core::BoundaryPatch;
 using core::Vec3;
 using Kind = BoundaryPatch::Kind;
 
-/// A uniform flow whose boundary has patches: a hull about z = 0, an inlet at x = -1 and a floor at z = -1.
-class PatchedFlow final : public core::Flow {
-  public:
-    core::Box domain() const override { return {Vec3(-1.0), Vec3(1.0)}; }
-
-    std::optional<std::array<double, 2>> time_range() const override { return std::nullopt; }
-
-    double finest_spacing() const override { return 0.1; }
-
-    core::PointStatus status(const Vec3&) const override { return core::PointStatus::Inside; }
-
-    core::Result<core::TraceCost>
-    trace(std::span<core::Curve>, const core::TraceOptions&, std::stop_token) const override {
-        return core::TraceCost{};
-    }
-
-    core::Result<core::TraceCost> advance(const core::Particles&,
-                                          double,
-                                          const core::AdvanceOptions&,
-                                          std::stop_token) const override {
-        return core::TraceCost{};
-    }
-
-    bool few_data(double, double) const override { return true; }
-
-    bool obstacle() const override { return true; }
-
-    core::Result<void> sample(std::span<const Vec3>,
-                              std::span<const double>,
-                              std::span<Vec3> velocities,
-                              std::stop_token,
-                              bool) const override {
-        std::ranges::fill(velocities, Vec3(3.0, 4.0, 0.0));
-        return {};
-    }
-
-    core::WallGeometry walls() const override {
-        core::WallGeometry out;
-        out.points = {{-0.2F, -0.2F, 0}, {0.2F, -0.2F, 0}, {0.2F, 0.2F, 0}, {-0.2F, 0.2F, 0},
-                      {-1, 0, 0},        {-1, 1, 0},       {-1, 0, 1},      {0, 0, -1},
-                      {1, 0, -1},        {0, 1, -1},       {1, 1, -1}};
-        out.triangles = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}, {7, 8, 9}, {8, 10, 9}};
-        out.patches = {
-            {"hull", Kind::Wall, 2}, {"inlet", Kind::Other, 1}, {"floor", Kind::Side, 2}};
-        return out;
-    }
-};
-
 LoadedDataset data() {
     LoadedDataset out;
-    out.flow = std::make_shared<PatchedFlow>();
+    out.flow = std::make_shared<tests::PatchedFlow>();
     out.info.velocity = "U";
     return out;
 }

@@ -26,6 +26,9 @@ TEST(LinesDownloads, ReadSeedsAndEndsFromAnAddress) {
                                          "duration=2&length=3&field=p%20rgh&time=2.5")
                                    .and_then(read_lines_query));
     EXPECT_EQ(read.seeds, (core::LineSeeds{core::LineSeeds::Kind::Sphere, {{1, 2, 3}}, 0.5, 7}));
+    const auto off =
+        value_of(url_query("patch=hull%0Ain%20let&from=walls:0.1").and_then(read_lines_query));
+    EXPECT_EQ(off.seeds.patches, (std::vector<std::string>{"hull", "in let"}));
     EXPECT_EQ(read.direction, core::Direction::Backward);
     EXPECT_EQ(read.duration, 2.0);
     EXPECT_EQ(read.length, 3.0);
@@ -69,6 +72,12 @@ TEST(LinesDownloads, HaveTheLinesOfAFlowAtATimeAndSayWhatCannotBeHad) {
     EXPECT_EQ(
         value_of(protocol::read_lines_file(std::as_bytes(std::span(walls.body)))).lines.lines(),
         40u);
+    const tests::HttpReply along = get("from=along&seeds=40&length=0.3", "sphere");
+    ASSERT_EQ(along.status, 200) << along.body;
+    const auto on = value_of(protocol::read_lines_file(std::as_bytes(std::span(along.body))));
+    EXPECT_EQ(on.lines.lines(), 40u);
+    for (const core::Vec3& each : on.lines.points)
+        EXPECT_NEAR(glm::length(each), 0.5, 0.01) << "its radius";
     const auto expect = [](const tests::HttpReply& refused, int status, const char* words) {
         EXPECT_EQ(refused.status, status) << refused.body;
         EXPECT_NE(refused.body.find(words), std::string::npos) << refused.body;
@@ -76,6 +85,8 @@ TEST(LinesDownloads, HaveTheLinesOfAFlowAtATimeAndSayWhatCannotBeHad) {
     expect(get("from=line:99,0,0:99,1,0"), 400, "in x it goes from -10 to 10");
     expect(get("from=sphere:0,0,0:1e-30"), 400, "no radius");
     expect(get("from=walls:0.1"), 404, "no obstacle");
+    expect(get("from=along"), 404, "no obstacle");
+    expect(get("from=walls:0.1&patch=hull", "sphere"), 404, "there is no patch hull");
     expect(get("from=line:0,0,0:1,0,0&field=p"), 404, "a field the dataset does not have: p");
     expect(get("from=line:0,0,0:1,0,0", "none"), 404, "there is no dataset of this name");
     expect(get("from=line:0.5,0.5,0.5:1,0.5,0.5", "double-gyre"), 400, "`time` is missing");

@@ -396,6 +396,10 @@ TEST(Document, LinesAreColouredByAFieldOfTheirDatasetAndReleasedInIt) {
                   of.places = {core::LineSeeds::Kind::Walls, {}, 0.1, 5};
               }),
               "`kind`: the data have no walls");
+    EXPECT_EQ(refusal([](auto& of) {
+                  of.places = {core::LineSeeds::Kind::Walls, {}, 0.1, 5, {"hull"}};
+              }),
+              "there is no patch hull");
     auto setting = lines_from(1, "l1");
     setting.low = 0.0;
     setting.high = 2.0;

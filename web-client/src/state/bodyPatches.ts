@@ -29,6 +29,17 @@ export function showsBeyondBody(dataset: Described, look: Pick<BodyLook, 'patche
 /** From one cell to before another. */
 export type CellSpan = readonly [number, number];
 
+/** Where each patch is among the cells. @param all  what is no part of the body is there, too */
+export function patchSpans(dataset: Described, all: boolean): Map<Patch, CellSpan> {
+    const spans = new Map<Patch, CellSpan>();
+    let at = 0;
+    for (const patch of (dataset?.patches ?? []).filter(({ kind }) => all || kind === 'wall')) {
+        spans.set(patch, [at, at + patch.triangles]);
+        at += patch.triangles;
+    }
+    return spans;
+}
+
 /**
  * Cells of the body that are not seen. What closes it at the sides of the domain comes last, and goes with any of its walls.
  * @param all  what is no part of the body is in the picture, too
@@ -37,10 +48,10 @@ export function hiddenCells(dataset: Described, look: Pick<BodyLook, 'patches'>,
     const hidden: CellSpan[] = [];
     let at = 0;
     let closed = true;
-    for (const patch of (dataset?.patches ?? []).filter(({ kind }) => all || kind === 'wall')) {
-        if (!showsPatch(look, patch)) hidden.push([at, at + patch.triangles]);
+    for (const [patch, span] of patchSpans(dataset, all)) {
+        if (!showsPatch(look, patch)) hidden.push(span);
         closed &&= patch.kind !== 'wall' || showsPatch(look, patch);
-        at += patch.triangles;
+        at = span[1];
     }
     return closed ? hidden : [...hidden, [at, Infinity]];
 }

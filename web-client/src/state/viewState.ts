@@ -10,7 +10,7 @@ import { type LineLook, plainLines } from './lineLook.ts';
 import { plainSlices, type SliceLook } from './sliceLook.ts';
 
 /** What a click on the picture does. */
-export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint' | 'slice';
+export type Tool = 'none' | 'place' | 'probe' | 'measure' | 'annotate' | 'paint' | 'slice' | 'bodyRake';
 
 export type Theme = 'system' | 'dark' | 'light';
 
@@ -54,10 +54,11 @@ export interface Brush {
     radiusPx: number;
 }
 
-/** The id of a slice or of streamlines, or bodyId; newSlice and newLines: one is about to be added. */
+/** The id of a slice or of streamlines, or bodyId; newSlice, newLines and newBodyRake: one is about to be added. */
 export type ChosenThing = string;
 export const newSlice = 'new slice';
 export const newLines = 'new streamlines';
+export const newBodyRake = 'new rake on a body';
 
 export class ViewState {
     readonly tool = signal<Tool>('none');
@@ -87,6 +88,8 @@ export class ViewState {
     readonly measured = signal<readonly Vec3[]>([]);
     /** Of a slice that is to go through three, those that were clicked. */
     readonly slicePoints = signal<readonly Vec3[]>([]);
+    /** Of a rake that is drawn on a body, what was clicked and where it goes. */
+    readonly bodyWay = signal<{ clicked: readonly Vec3[]; way: readonly Vec3[] }>({ clicked: [], way: [] });
     readonly note = signal<NoteDraft | null>(null);
     /** What was typed into notes and not saved, by note; '' is a new one. */
     private readonly typedNotes = new Map<string, string>();

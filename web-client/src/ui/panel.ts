@@ -5,7 +5,7 @@ import { type ReadonlySignal, signal } from '@preact/signals-core';
 import { surfaceSteps, meshSteps, shareSteps, viewSteps } from '../session/out/panelSteps.ts';
 import type { ScriptStep } from '../session/out/scripts.ts';
 import type { AppState } from '../state/appState.ts';
-import { newLines, type ViewState } from '../state/viewState.ts';
+import { newBodyRake, newLines, type ViewState } from '../state/viewState.ts';
 import './view/bookmarksPanel.ts';
 import type { BookmarksModel } from './view/bookmarksPanel.ts';
 import './datasetHead.ts';
@@ -37,6 +37,7 @@ import './surface/surfacePanel.ts';
 import type { SurfaceModel } from './surface/surfacePanel.ts';
 import type { MeansModel } from './slices/meansPanel.ts';
 import type { LinesModel } from './lines/linesPanel.ts';
+import type { BodyRakesModel } from './rake/bodyRakePanel.ts';
 import type { SlicesModel } from './slices/slicesPanel.ts';
 import './view/surroundingsPanel.ts';
 import type { ToolsModel } from './view/viewButtons.ts';
@@ -102,6 +103,8 @@ export interface PanelModel {
     slices: ReadonlySignal<SlicesModel | null>;
     /** Likewise. */
     lines: ReadonlySignal<LinesModel | null>;
+    /** Likewise. */
+    bodyRakes: ReadonlySignal<BodyRakesModel | null>;
     means: MeansModel;
     look: LookModel;
     bookmarks: BookmarksModel;
@@ -116,7 +119,7 @@ export interface PanelModel {
 
 /** Of what is chosen in the list. */
 function settingsOfChosen(model: PanelModel): TemplateResult {
-    const { state, view, slices, lines } = model;
+    const { state, view, slices, lines, bodyRakes } = model;
     const thing = view.chosenThing.value;
     if (thing === bodyId) {
         return html`<section aria-labelledby="body-head">
@@ -128,6 +131,12 @@ function settingsOfChosen(model: PanelModel): TemplateResult {
         return html`<section aria-labelledby="streamlines-head">
             <h2 id="streamlines-head">Streamlines</h2>
             ${lines.value === null ? nothing : html`<wakesurf-streamlines .model=${lines.value}></wakesurf-streamlines>`}
+        </section>`;
+    }
+    if (thing === newBodyRake) {
+        return html`<section aria-labelledby="body-rake-head">
+            <h2 id="body-rake-head">Line on a body</h2>
+            ${bodyRakes.value === null ? nothing : html`<wakesurf-body-rake .model=${bodyRakes.value}></wakesurf-body-rake>`}
         </section>`;
     }
     if (thing !== null) {

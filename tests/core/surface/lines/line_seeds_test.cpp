@@ -98,6 +98,9 @@ TEST(LineSeeds, ThatCannotBeAreRefusedWithTheCure) {
     expect({Kind::Sphere, {{0, 0, 0}}, 1e-30, 9}, "no radius");
     expect({Kind::Sphere, {{0, 0, 0}}, nan, 9}, "no radius");
     expect({Kind::Walls, {}, 0.0, 9}, "no distance from walls");
+    expect({Kind::Along, {}, 0.1, 9}, "of spheres and walls only");
+    expect({Kind::Along, {{0, 0, 0}}, 0.0, 9}, "lines along the walls have no points");
+    expect({Kind::Line, {{0, 0, 0}, {1, 0, 0}}, 0.0, 9, {"hull"}}, "of seeds at walls only");
     expect({Kind::Line, {{0, 0, 0}, {1, 0, 0}}, 0.5, 9}, "leave it out");
     expect({Kind::Line, {{0, 0, 0}}, 0.0, 9}, "a line has two points");
     expect({Kind::Line, {{0, 0, 0}, {0, 0, 0}}, 0.0, 9}, "the same place");

@@ -102,6 +102,14 @@ export class DrawnBody {
         return [...(this.mesh === null ? [] : [this.mesh]), ...this.others];
     }
 
+    /** All of it, and what of it is drawn; null: there is none. */
+    get triangles(): { positions: Float32Array; indices: Uint32Array; shown: Uint32Array } | null {
+        const { geometry, indices } = this;
+        if (geometry === null || indices === null) return null;
+        const shown = geometry.index!.array as Uint32Array;
+        return { positions: geometry.attributes['position']!.array as Float32Array, indices, shown };
+    }
+
     /** @param opacity 0: it is hidden */
     setOpacity(opacity: number): void {
         this.object.visible = opacity > 0;

@@ -33,16 +33,19 @@ export class RecordActions {
         this.choose = choose;
     }
 
-    newRake(): Promise<void> {
+    /** @param drawn  left out: beside the others */
+    newRake(drawn?: RakeShape): Promise<void> {
         return this.attempt('new rake', async (call) => {
             const { rakes, dataset } = this.state;
             if (dataset.value === null) return;
             const { rake: first } = this.suggestion ?? (await this.suggested());
             const others = [...rakes.value.values()].map(({ points }) => points);
             const shape: RakeShape =
-                others.length === 0
-                    ? { kind: first.kind, points: first.points }
-                    : { kind: 'line', points: freeRake(dataset.value.bounds, first.points, others) };
+                drawn !== undefined
+                    ? drawn
+                    : others.length === 0
+                      ? { kind: first.kind, points: first.points }
+                      : { kind: 'line', points: freeRake(dataset.value.bounds, first.points, others) };
             // As near to each other as those of the first.
             const seeds = others.length === 0 ? first.seeds : Math.max(2, Math.ceil(first.seeds / 2));
             const rake = await this.make(call, shape, { seeds, name: this.freeName('Rake') });

@@ -9,7 +9,7 @@ import { linesPath } from './linesValues.ts';
 
 const record: LinesRecord = {
     ...{ lines: 'l1', rev: 1, dataset: 'flow', kind: 'sphere', points: [[0, 0, 1]], distance: 0.5, seeds: 9 },
-    ...{ direction: 'both', duration: 0, length: 0, field: 'U' },
+    ...{ patches: [], direction: 'both', duration: 0, length: 0, field: 'U' },
 };
 
 function linesOf(page: PageBench) {
@@ -71,17 +71,18 @@ describe('a set of streamlines', () => {
 
 it('an address of lines has only what they have', () => {
     const place = {
-        kind: 'line',
+        kind: 'line' as const,
         points: [
             [0, 0, 0],
             [1, 0, 0],
         ],
         distance: 0,
+        patches: [] as string[],
         seeds: 5,
-        direction: 'forward',
+        direction: 'forward' as const,
         duration: 2,
         length: 3,
-    } as const;
+    };
     expect(
         linesPath({
             dataset: 'a b',
@@ -96,4 +97,16 @@ it('an address of lines has only what they have', () => {
     ).toBe(
         'api/v1/datasets/a%20b/lines.bin?from=line%3A0%2C0%2C0%3A1%2C0%2C0&seeds=5&direction=forward&field=p&duration=2&length=3',
     );
+    expect(
+        linesPath({
+            dataset: 'a',
+            ...place,
+            kind: 'walls',
+            points: [],
+            distance: 2,
+            patches: ['hull', 'in let'],
+            field: 'p',
+            time: 1,
+        }),
+    ).toContain('?from=walls%3A2&seeds=5&direction=forward&field=p&patch=hull%0Ain+let&duration=2');
 });

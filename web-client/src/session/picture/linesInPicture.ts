@@ -130,8 +130,8 @@ export class Lines {
                 continue;
             }
             // Another range needs no other lines.
-            const { kind, points, distance, seeds, direction, duration, length, field } = place;
-            this.values.want(id, { ...shown, kind, points, distance, seeds, direction, duration, length, field });
+            const { range: _range, ...wanted } = place;
+            this.values.want(id, { ...shown, ...wanted });
         }
     }
 
@@ -190,7 +190,7 @@ export function linesWords({ offsets, seeds, outside, ends }: LinesFile): string
 }
 
 /** Without what the server alone writes. */
-function placeOf({ kind, points, distance, seeds, direction, duration, length, field, low, high }: LinesRecord): LinesPlace {
+function placeOf({ lines: _lines, rev: _rev, dataset: _dataset, low, high, ...place }: LinesRecord): LinesPlace {
     const range = low === undefined || high === undefined ? null : ([low, high] as const);
-    return { kind, points, distance, seeds, direction, duration, length, field, range };
+    return { ...place, range };
 }

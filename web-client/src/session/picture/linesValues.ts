@@ -3,10 +3,7 @@ import type { LinesRecord } from '../../protocol/messages.ts';
 import { type LinesFile, readLinesFile } from '../../protocol/linesFile.ts';
 import { NewestValues, type NewestValuesOptions } from './newestValues.ts';
 
-export type LinesWish = Pick<
-    LinesRecord,
-    'dataset' | 'kind' | 'points' | 'distance' | 'seeds' | 'direction' | 'duration' | 'length' | 'field'
-> & {
+export type LinesWish = Omit<LinesRecord, 'lines' | 'rev' | 'low' | 'high'> & {
     /** Null: the data have one time. */
     time: number | null;
 };
@@ -18,10 +15,11 @@ export class LinesValues extends NewestValues<LinesWish, LinesFile> {
 }
 
 export function linesPath(wish: LinesWish): string {
-    const { dataset, kind, points, distance, seeds, direction, duration, length, field, time } = wish;
+    const { dataset, kind, points, distance, patches, seeds, direction, duration, length, field, time } = wish;
     const far = kind === 'sphere' || kind === 'walls' ? [distance] : [];
     const from = [kind, ...points.map((point) => point.join(',')), ...far].join(':');
     const query = new URLSearchParams({ from, seeds: String(seeds), direction, field });
+    if (patches.length > 0) query.set('patch', patches.join('\n'));
     if (duration > 0) query.set('duration', String(duration));
     if (length > 0) query.set('length', String(length));
     if (time !== null) query.set('time', String(time));

@@ -51,13 +51,14 @@ export function showMarks(state: AppState, view: ViewState, scene: FlowScene): v
         const plotted = view.plot.value === 'point' && probe === null ? view.probeHeld.value : view.plotPlace.value;
         if (plotted !== null) markers.push({ at: plotted, colour: probeColour, words: '' });
         const [a, b] = view.measured.value;
-        for (const at of [...view.measured.value, ...view.slicePoints.value]) {
+        const { clicked, way } = view.bodyWay.value;
+        for (const at of [...view.measured.value, ...view.slicePoints.value, ...clicked]) {
             markers.push({ at, colour: measureColour, words: '' });
         }
         for (const { position: at, text, author } of state.annotations.value.values()) {
             markers.push({ at, colour: noteColour, words: `${shortened(text)} – ${author}` });
         }
-        const lines: MarkedLine[] = [];
+        const lines = way.slice(1).map((to, i): MarkedLine => ({ from: way[i]!, to, colour: measureColour, words: '' }));
         if (a !== undefined && b !== undefined) {
             lines.push({
                 from: a,

@@ -82,6 +82,7 @@ describe('a session made again', () => {
             kind: 'sphere' as const,
             points: [[1, 1, 1] as Vec3],
             distance: 0.5,
+            patches: [],
             seeds: 50,
             direction: 'both' as const,
         };

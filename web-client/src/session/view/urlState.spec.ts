@@ -68,10 +68,10 @@ describe('a state in a link', () => {
                 [1, 0, 0],
             ],
             ...{ direction: 'both', duration: 0, length: 0, field: 'p' },
-        } as LinesRecord;
+        } as unknown as LinesRecord; // of a link that was made before seeds knew patches
         const back = decodeLinkState(encodeLinkState({ view: {}, slices: [slice], lines: [lines] }));
         expect(back.slices).toEqual([{ ...slice, rev: 0 }]);
-        expect(back.lines).toEqual([{ ...lines, rev: 0 }]);
+        expect(back.lines).toEqual([{ ...lines, rev: 0, patches: [] }]);
         const many = Array.from({ length: 60 }, () => lines);
         const fewer = decodeLinkState(encodeLinkState({ view: {}, surfaces: [surface], lines: many }));
         expect([fewer.surfaces.length, fewer.lines.length]).toEqual([1, 0]);

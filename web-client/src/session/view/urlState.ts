@@ -113,7 +113,7 @@ export function decodeLinkState(text: string): LinkState {
             .map((each) => completed(each, {}))
             .filter(isSliceRecord),
         lines: list('l')
-            .map((each) => completed(each, {}))
+            .map((each) => completed(each, linesRest))
             .filter(isLinesRecord),
     };
 }
@@ -130,6 +130,7 @@ function saved({ rev: _rev, epoch: _epoch, ...setting }: { rev: number; epoch?: 
 /** What a link does not have: counters are the server's, and a link that was made before may lack what
  *  came since. */
 const rakeRest = { name: '', colour: '#0072b2', author: '', clipped: false, dragging: false };
+const linesRest = { patches: [] };
 const surfaceRest = { ...surfaceDefaults, direction: 'forward', separation: 0 };
 
 /** Before API level 5 `backward` went back from `from` also where `to` was later. Today it cannot be, so it

@@ -1,6 +1,6 @@
 // Streamlines of their own: how a set is added, and the settings of the chosen one.
 import { css, html, nothing, type TemplateResult } from 'lit';
-import type { Vec3 } from '../../protocol/messages.ts';
+import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
 import { Lines } from '../../session/picture/linesInPicture.ts';
 import type { AppState } from '../../state/appState.ts';
 import { thickest, thinnest } from '../../state/lineLook.ts';
@@ -8,7 +8,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import { sliderRow } from '../base/rows.ts';
 import { lateRow } from '../base/lateRow.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { aboutPoint, acrossAxis, alongRake, type Bounds, inPlane, offWalls, type SeedsPlace } from './linesPlaces.ts';
+import { aboutPoint, acrossAxis, alongRake, alongWalls, inletAmong, inPlane, offWalls, type SeedsPlace } from './linesPlaces.ts';
 import { linesSettings } from './linesSettings.ts';
 
 /** Loaded with the panel, after the first picture. */
@@ -37,6 +37,10 @@ export class LinesPanel extends ModelElement<LinesModel> {
             align-items: center;
             margin-top: 4px;
         }
+        .patches {
+            max-height: 30vh;
+            overflow-y: auto;
+        }
     `;
 
     override render(): TemplateResult {
@@ -49,7 +53,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
         const place = lines.places.value.get(id) ?? null;
         const said = lines.faults.value.get(id) ?? lines.told.value.get(id);
         return html`
-            ${locked ? nothing : this.adding(dataset.bounds, dataset.obstacle)}
+            ${locked ? nothing : this.adding(dataset)}
             ${said === undefined ? nothing : html`<p role="status" class="quiet" id="streamlines-told">${said}</p>`}
             ${lateRow(lines.late.value.has(id), () => lines.retry(id))}
             ${
@@ -72,8 +76,9 @@ export class LinesPanel extends ModelElement<LinesModel> {
         `;
     }
 
-    private adding(bounds: Bounds, walls: boolean): TemplateResult {
+    private adding({ bounds, obstacle, patches }: DatasetDescription): TemplateResult {
         const { state, middle } = this.model;
+        const inlet = inletAmong(patches);
         const rake = state.rakePoints.value;
         const slice = [...state.slices.value.values()].at(-1);
         const button = (id: string, words: string, title: string, of: () => SeedsPlace, disabled = false): TemplateResult =>
@@ -90,7 +95,9 @@ export class LinesPanel extends ModelElement<LinesModel> {
             )}
             ${slice === undefined ? nothing : button('slice', 'slice', 'Seeds all over the newest slice', () => inPlane(bounds, slice.origin, slice.normal))}
             ${button('sphere', 'sphere', 'Seeds on a sphere about the middle of the picture', () => aboutPoint(bounds, middle()))}
-            ${walls ? button('walls', 'walls', 'Seeds all over the bodies, a little off them', () => offWalls(bounds)) : nothing}
+            ${obstacle ? button('walls', 'walls', 'Seeds all over the bodies, a little off them', () => offWalls(bounds)) : nothing}
+            ${obstacle ? button('along', 'along walls', 'Lines on the bodies, as oil shows the flow there', () => alongWalls()) : nothing}
+            ${inlet === undefined ? nothing : button('patch', 'patch', 'Seeds all over a patch of the boundary, such as an inlet', () => offWalls(bounds, [inlet]))}
         </div>`;
     }
 

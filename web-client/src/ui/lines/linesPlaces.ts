@@ -2,17 +2,21 @@
 import type { Vec3 } from '../../protocol/messages.ts';
 import { shortNumber } from '../../scene/base/numbers.ts';
 import type { LinesPlace } from '../../session/picture/linesInPicture.ts';
+import { isolated } from '../../state/announcements.ts';
+import type { Patch } from '../../state/bodyPatches.ts';
 
 export type Bounds = readonly [number, number, number, number, number, number];
-export type SeedsPlace = Pick<LinesPlace, 'kind' | 'points' | 'distance' | 'seeds'>;
+export type SeedsPlace = Pick<LinesPlace, 'kind' | 'points' | 'distance' | 'patches' | 'seeds'>;
 
 const usualSeeds = 50;
 /** Off the faces of the domain, a part of its sides: seeds on a face may be outside of the cells. */
 const inset = 0.02;
+/** Of seeds that are off nothing. */
+const elsewhere = { distance: 0, patches: [] };
 
 /** From one end of the rake to the other. */
 export function alongRake(rake: readonly Vec3[]): SeedsPlace {
-    return { kind: 'line', points: [[...rake[0]!], [...rake.at(-1)!]], distance: 0, seeds: usualSeeds };
+    return { kind: 'line', points: [[...rake[0]!], [...rake.at(-1)!]], ...elsewhere, seeds: usualSeeds };
 }
 
 /** The whole of a plane across an axis, through a point. */
@@ -27,7 +31,7 @@ export function acrossAxis(bounds: Bounds, axis: 0 | 1 | 2, through: Vec3): Seed
         [point[u], point[v]] = [at(u, s), at(v, t)];
         return point;
     };
-    return { kind: 'plane', points: [corner(0, 0), corner(1, 0), corner(0, 1)], distance: 0, seeds: 2 * usualSeeds };
+    return { kind: 'plane', points: [corner(0, 0), corner(1, 0), corner(0, 1)], ...elsewhere, seeds: 2 * usualSeeds };
 }
 
 /** About a point of any plane, as wide as a half of the shortest side of the domain. */
@@ -43,17 +47,41 @@ export function inPlane(bounds: Bounds, origin: Vec3, normal: Vec3): SeedsPlace 
     return {
         kind: 'plane',
         points: [corner(-0.5, -0.5), corner(0.5, -0.5), corner(-0.5, 0.5)],
-        distance: 0,
+        ...elsewhere,
         seeds: 2 * usualSeeds,
     };
 }
 
 export function aboutPoint(bounds: Bounds, centre: Vec3): SeedsPlace {
-    return { kind: 'sphere', points: [within(bounds, centre)], distance: rounded(0.15 * shortestOf(bounds)), seeds: usualSeeds };
+    return {
+        kind: 'sphere',
+        points: [within(bounds, centre)],
+        ...elsewhere,
+        distance: rounded(0.15 * shortestOf(bounds)),
+        seeds: usualSeeds,
+    };
 }
 
-export function offWalls(bounds: Bounds): SeedsPlace {
-    return { kind: 'walls', points: [], distance: rounded(0.005 * diagonalOf(bounds)), seeds: 2 * usualSeeds };
+/** @param patches  none: all walls of bodies */
+export function offWalls(bounds: Bounds, patches: string[] = []): SeedsPlace {
+    return { kind: 'walls', points: [], distance: rounded(0.005 * diagonalOf(bounds)), patches, seeds: 2 * usualSeeds };
+}
+
+/** On the walls, where the lines stay. @param patches  none: all walls of bodies */
+export function alongWalls(patches: string[] = []): SeedsPlace {
+    return { kind: 'along', points: [], ...elsewhere, patches, seeds: 4 * usualSeeds };
+}
+
+/** Names of patches, those that are no walls first: flow comes in and goes out there. */
+export function patchNames(patches: readonly Patch[] = []): string[] {
+    const order = ['other', 'wall', 'side'];
+    return [...new Set([...patches].sort((a, b) => order.indexOf(a.kind) - order.indexOf(b.kind)).map(({ name }) => name))];
+}
+
+/** Where flow probably comes in; nothing where the boundary has no names. */
+export function inletAmong(patches: readonly Patch[] | undefined): string | undefined {
+    const names = patchNames(patches);
+    return names.find((name) => /inlet|inflow/i.test(name)) ?? names[0];
 }
 
 export function diagonalOf(bounds: Bounds): number {
@@ -61,14 +89,16 @@ export function diagonalOf(bounds: Bounds): number {
 }
 
 /** As short as it can be said. */
-export function seedsWords({ kind, points, distance, seeds }: SeedsPlace): string {
+export function seedsWords({ kind, points, distance, patches, seeds }: SeedsPlace): string {
+    const named = patches.map(isolated).join(', ');
     const places = {
-        line: () => 'a line',
-        plane: () => `a plane${axisWords(points)}`,
-        sphere: () => `a sphere of ${shortNumber(distance)}`,
-        walls: () => `${shortNumber(distance)} off the walls`,
+        line: () => 'from a line',
+        plane: () => `from a plane${axisWords(points)}`,
+        sphere: () => `from a sphere of ${shortNumber(distance)}`,
+        walls: () => `from ${shortNumber(distance)} off ${named || 'the walls'}`,
+        along: () => `along ${named || 'walls'}`,
     };
-    return `${seeds} from ${places[kind]()}`;
+    return `${seeds} ${places[kind]()}`;
 }
 
 /** Of a plane across an axis where it lies. */

@@ -5,9 +5,11 @@ import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import { levelFields } from '../../session/edits/defaults.ts';
 import type { LinesPlace } from '../../session/picture/linesInPicture.ts';
 import type { FieldMeaning } from '../../session/picture/fieldColours.ts';
+import { isolated } from '../../state/announcements.ts';
+import { toggled } from '../../state/pageView.ts';
 import { checkRow, numberRow, pairRow, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { fieldWords } from '../../session/picture/surfaceOwner.ts';
-import { type Bounds, diagonalOf } from './linesPlaces.ts';
+import { type Bounds, diagonalOf, offWalls, patchNames } from './linesPlaces.ts';
 
 export interface LinesSettings {
     place: LinesPlace;
@@ -22,12 +24,23 @@ const directions = [
     { value: 'forward', words: 'Downstream' },
     { value: 'backward', words: 'Upstream' },
 ] as const;
+/** At walls they go off with the flow, or lie on them and show what it is like there. */
+const wallWays = [
+    { value: 'walls', words: 'Off into the flow' },
+    { value: 'along', words: 'Along the walls' },
+] as const;
 /** What the points of each kind are. */
-const pointNames = { line: ['Start', 'End'], plane: ['Corner', 'Beside', 'Above'], sphere: ['Centre'], walls: [] } as const;
+const pointNames = {
+    line: ['Start', 'End'],
+    plane: ['Corner', 'Beside', 'Above'],
+    sphere: ['Centre'],
+    walls: [],
+    along: [],
+} as const;
 
 /** Of one set; the slider of seeds goes by doublings. */
 export function linesSettings({ place, dataset, meaning, change }: LinesSettings): TemplateResult {
-    const { kind, points, distance, seeds, direction, length, duration, field, range } = place;
+    const { kind, points, distance, patches, seeds, direction, length, duration, field, range } = place;
     const bounds = dataset.bounds as unknown as Bounds;
     const diagonal = diagonalOf(bounds);
     const resolution = resolutionOf(0, diagonal);
@@ -68,6 +81,12 @@ export function linesSettings({ place, dataset, meaning, change }: LinesSettings
                   })
                 : nothing
         }
+        ${
+            kind === 'walls' || kind === 'along'
+                ? html`${selectRow('streamlines-course', 'Course', wallWays, kind, (way) => change(way === 'along' ? { kind: way, distance: 0 } : { kind: way, distance: offWalls(bounds).distance }))}
+                  ${patchRows(dataset, patches, (chosen) => change({ patches: chosen }))}`
+                : nothing
+        }
         ${endRow('streamlines-length', 'Longest', `length of a line each way; 0: ${fieldNumber(2 * diagonal, resolution)}`, length, (value) => change({ length: value }))}
         ${endRow('streamlines-duration', 'Time of flight', 'each way; 0: as long as it takes', duration, (value) => change({ duration: value }))}
         ${
@@ -77,6 +96,25 @@ export function linesSettings({ place, dataset, meaning, change }: LinesSettings
                   ${range === null ? nothing : pairRow('streamlines-colours', 'Colours', range, (pair) => change({ range: pair }))}`
         }
     `;
+}
+
+/** Which of the boundary; none of them: all walls of bodies, where there are any. */
+function patchRows(
+    { obstacle, patches: known }: DatasetDescription,
+    chosen: readonly string[],
+    change: (patches: string[]) => void,
+): TemplateResult | typeof nothing {
+    const names = patchNames(known);
+    if (names.length === 0) return nothing;
+    const row = (name: string): TemplateResult =>
+        checkRow(isolated(name), chosen.includes(name), () => {
+            const next = [...toggled(new Set(chosen), name)];
+            change(next.length > 0 || obstacle ? next : [name]);
+        });
+    return html`<div class="patches" role="group" aria-label="Patches with seeds">
+        <span title=${obstacle ? 'none ticked: all walls of bodies' : nothing}>Patches</span>
+        ${names.map(row)}
+    </div>`;
 }
 
 /** 0 is none. */

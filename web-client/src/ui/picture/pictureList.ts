@@ -6,7 +6,8 @@ import type { RakeRecord } from '../../protocol/messages.ts';
 import { rakeColour } from '../../session/picture/rakesInPicture.ts';
 import { isolated } from '../../state/announcements.ts';
 import { chosenRake, toggled } from '../../state/pageView.ts';
-import { newLines, newSlice } from '../../state/viewState.ts';
+import { hasBoundary } from '../../state/bodyPatches.ts';
+import { newBodyRake, newLines, newSlice } from '../../state/viewState.ts';
 import { icon, type IconName } from '../base/icons.ts';
 import { titleOf } from '../base/locked.ts';
 import { ModelElement } from '../base/signalElement.ts';
@@ -78,12 +79,14 @@ export class PictureList extends ModelElement<PictureListModel> {
         }
         .add {
             display: flex;
+            flex-wrap: wrap;
             align-items: center;
             gap: 6px;
             margin-top: 8px;
         }
         .add button {
             padding-inline: 7px;
+            white-space: nowrap;
         }
         .actions {
             grid-template-columns: auto auto auto 1fr auto auto;
@@ -198,6 +201,7 @@ export class PictureList extends ModelElement<PictureListModel> {
                 true,
                 fresh(() => actions.newRake()),
             )}
+            ${hasBoundary(state.dataset.value) ? add('Line on a body', 'A rake that follows a body', true, () => (view.chosenThing.value = newBodyRake)) : nothing}
             ${add(
                 'Isosurface',
                 levelTitle,

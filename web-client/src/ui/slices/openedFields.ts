@@ -1,3 +1,4 @@
-// Slices and streamlines with their panels, in one file of the bundle: they come beside the first picture.
+// Slices, streamlines and rakes off bodies with their panels, in one file of the bundle: they come beside the first picture.
+export { BodyRakes } from '../rake/bodyRakePanel.ts';
 export { Lines } from '../lines/linesPanel.ts';
 export { Slices } from './slicesPanel.ts';

@@ -1,0 +1,158 @@
+// Rakes that stand off a body: along a line that is drawn on it, click by click, or along the outline of a patch. Loaded after the first picture.
+import { computed, effect, type ReadonlySignal, signal } from '@preact/signals-core';
+import { limits } from '../../protocol/generated/limits.ts';
+import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
+import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
+import { minus, type RakeShape } from '../../scene/rake/rakeShape.ts';
+import type { FlowScene } from '../../scene/scene.ts';
+import type { AppState } from '../../state/appState.ts';
+import { type Patch, patchSpans } from '../../state/bodyPatches.ts';
+import { newBodyRake, type ViewState } from '../../state/viewState.ts';
+import type { RecordActions } from '../edits/recordActions.ts';
+import { outlineOf, simplified, standOff, type Triangles, wayAlong, type WayPoint } from './bodyWay.ts';
+
+export interface BodyRakesOptions {
+    state: Pick<AppState, 'allPatchesShown' | 'dataset'>;
+    view: Pick<ViewState, 'besidePointer' | 'bodyWay' | 'chosenThing' | 'tool'>;
+    scene: Pick<FlowScene, 'body' | 'pickGrid' | 'view'> & { pointerTools: Pick<FlowScene['pointerTools'], 'add'> };
+    actions: Pick<RecordActions, 'newRake'>;
+}
+
+/** Of the domain's diagonal: how far a rake stands off, unless someone says so. */
+const usuallyOff = 0.005;
+/** Of how far it stands off: so exactly it follows the body. */
+const exactness = 0.05;
+/** A rake of more is tedious to change. */
+const mostPoints = Math.min(200, limits.rakePoints);
+
+export class BodyRakes implements PointerTool {
+    /** Null: as usual. */
+    readonly typedOff = signal<number | null>(null);
+    readonly off: ReadonlySignal<number>;
+    private readonly options: BodyRakesOptions;
+    private clicked: Vec3[] = [];
+    private way: WayPoint[] = [];
+    /** From the first point. */
+    private towards: Vec3 = [0, 0, 0];
+
+    constructor(options: BodyRakesOptions) {
+        this.options = options;
+        const { state, view, scene } = options;
+        this.off = computed(() => this.typedOff.value ?? usualOff(state.dataset.value));
+        scene.pointerTools.add(this);
+        // The tool is in the hand for as long as its settings are seen.
+        effect(() => {
+            if (view.chosenThing.value === newBodyRake) view.tool.value = 'bodyRake';
+            else if (view.tool.peek() === 'bodyRake') view.tool.value = 'none';
+        });
+        effect(() => {
+            if (view.tool.value === 'bodyRake') return;
+            this.clear();
+            if (view.chosenThing.peek() === newBodyRake) view.chosenThing.value = null;
+        });
+        effect(() => {
+            void this.off.value;
+            this.show();
+        });
+        addEventListener('keydown', (event) => {
+            if (view.tool.value !== 'bodyRake' || event.key !== 'Enter' || !this.canEnd) return;
+            event.preventDefault();
+            void this.end();
+        });
+    }
+
+    /** There are two points. */
+    get canEnd(): boolean {
+        return this.options.view.bodyWay.value.clicked.length > 1;
+    }
+
+    click({ at }: Pointer): boolean {
+        const { view, scene } = this.options;
+        if (view.tool.value !== 'bodyRake') return false;
+        const say = (words: string): void => void (view.besidePointer.value = { at, words });
+        const hit = scene.pickGrid(at, 0, {}).hits[0];
+        const body = this.shown();
+        if (hit === undefined || hit === null || hit.surface !== null || body === null) {
+            say('There is no body here. Click on one.');
+            return true;
+        }
+        const eye = scene.view().outside;
+        const before = this.clicked.at(-1);
+        if (before === undefined) {
+            this.clicked = [hit.point];
+            this.towards = minus(eye, hit.point);
+            say('Click the next point.');
+        } else {
+            const piece = wayAlong(body, before, hit.point, eye, this.way.at(-1)?.off ?? this.towards);
+            if (piece === null) {
+                say('No way leads here along the body, as it is seen. Click elsewhere.');
+                return true;
+            }
+            this.way = [...this.way.slice(0, -1), ...piece];
+            this.clicked = [...this.clicked, hit.point];
+            say('Enter ends the line, or click on.');
+        }
+        this.show();
+        return true;
+    }
+
+    hover(): string | null {
+        return this.options.view.tool.value === 'bodyRake' ? 'crosshair' : null;
+    }
+
+    /** Makes the rake of the line that was drawn. */
+    end(): Promise<void> {
+        return this.make(this.way);
+    }
+
+    /** Says why there is none in words; null: it is being made. */
+    outline(patch: Patch): string | null {
+        const { state, scene } = this.options;
+        const all = state.allPatchesShown.value;
+        const span = patchSpans(state.dataset.value, all).get(patch);
+        const body = scene.body.triangles;
+        if (span === undefined || body === null) return 'Show the patch in the picture first, under Body.';
+        const indices = body.indices.subarray(6 * span[0], 6 * span[1]);
+        const eye = scene.view().outside;
+        const middle = middleOf(state.dataset.value!);
+        const isWall = patch.kind === 'wall';
+        const way = outlineOf({ positions: body.positions, indices }, (at) => minus(isWall ? eye : middle, at), !isWall);
+        if (way === null) return 'The patch has no outline: it is closed.';
+        void this.make(way);
+        return null;
+    }
+
+    private async make(way: readonly WayPoint[]): Promise<void> {
+        const { view, actions } = this.options;
+        const off = this.off.value;
+        const shape: RakeShape = { kind: 'polyline', points: simplified(standOff(way, off), exactness * off, mostPoints) };
+        view.tool.value = 'none';
+        await actions.newRake(shape);
+    }
+
+    private shown(): Triangles | null {
+        const body = this.options.scene.body.triangles;
+        return body === null ? null : { ...body, indices: body.shown };
+    }
+
+    private show(): void {
+        this.options.view.bodyWay.value = { clicked: this.clicked, way: standOff(this.way, this.off.value) };
+    }
+
+    private clear(): void {
+        if (this.clicked.length === 0) return;
+        [this.clicked, this.way] = [[], []];
+        this.options.view.besidePointer.value = null;
+        this.show();
+    }
+}
+
+function usualOff(dataset: DatasetDescription | null): number {
+    const bounds = dataset?.bounds ?? [0, 0, 0, 0, 0, 0];
+    const diagonal = Math.hypot(...[0, 1, 2].map((k) => bounds[2 * k + 1]! - bounds[2 * k]!));
+    return Number((usuallyOff * diagonal).toPrecision(2));
+}
+
+function middleOf({ bounds }: DatasetDescription): Vec3 {
+    return [0, 1, 2].map((k) => (bounds[2 * k]! + bounds[2 * k + 1]!) / 2) as unknown as Vec3;
+}

@@ -1,0 +1,256 @@
+// A way along a body, from a place on it to another: where a plane through both cuts its triangles; and the border of a part of it. What is
+// found stands off the body by any distance. Triangles that meet have corners at the same places, not always the same ones.
+import type { Vec3 } from '../../protocol/messages.ts';
+import { cross, distance, dot, lengthOf, minus, plus, times, unit } from '../../scene/rake/rakeShape.ts';
+
+export interface Triangles {
+    positions: ArrayLike<number>;
+    indices: ArrayLike<number>;
+}
+
+/** A place on a body, and which way it stands off: its length makes up for what a corner takes. */
+export interface WayPoint {
+    point: Vec3;
+    off: Vec3;
+}
+
+/** Of one triangle, where the plane cuts it; each end is on an edge, which has a name. */
+interface Cut {
+    ends: readonly [Vec3, Vec3];
+    edges: readonly [string, string];
+    normal: Vec3;
+}
+
+/** A step of a way: through a triangle from one place to another. */
+interface Piece {
+    from: Vec3;
+    to: Vec3;
+    normal: Vec3;
+}
+
+/** Farther from the body, in parts of its size, a place is on none. */
+const onBody = 1e-3;
+/** Corners that stand out more than this, as the cosine between the normals, are gone round. */
+const roundFrom = 0.5;
+
+/**
+ * Returns the shorter of the ways, on the side that `towards` points to at its beginning; null where the body has none in the plane through both
+ * and `third`.
+ */
+export function wayAlong(body: Triangles, from: Vec3, to: Vec3, third: Vec3, towards: Vec3): WayPoint[] | null {
+    const across = unit(cross(minus(to, from), minus(third, from)));
+    if (lengthOf(across) === 0) return null;
+    const cuts = cutsOf(body, across, dot(across, from));
+    const [first, last] = [nearest(cuts, from), nearest(cuts, to)];
+    const size = sizeOf(body);
+    if (first === null || last === null || first.apart > onBody * size || last.apart > onBody * size) return null;
+    if (first.cut === last.cut) return wayOf([{ from, to, normal: first.cut.normal }], across, towards);
+    const beside = new Map<string, Cut[]>();
+    for (const cut of cuts) for (const edge of cut.edges) beside.set(edge, [...(beside.get(edge) ?? []), cut]);
+    const ways = [0, 1].flatMap((way) => walk(first.cut, last.cut, way as 0 | 1, beside, from, to) ?? []);
+    const shortest = ways.sort((a, b) => a.length - b.length)[0];
+    return shortest === undefined ? null : wayOf(shortest.pieces, across, towards);
+}
+
+/** Returns where it stands so far off. */
+export function standOff(way: readonly WayPoint[], far: number): Vec3[] {
+    return way.map(({ point, off }) => plus(point, times(off, far)));
+}
+
+/** Returns the points without those that lie within so much of a line between others (Douglas and Peucker), and at most so many. */
+export function simplified(points: readonly Vec3[], within: number, most: number): Vec3[] {
+    for (let slack = within; ; slack *= 2) {
+        const kept = kneesOf(points, slack);
+        if (kept.length <= most) return kept;
+    }
+}
+
+/**
+ * Returns the longest border of some triangles, closed, on the side that `towards` points to at each place. @param inward it stands
+ * off as far into the triangles, too, as it does off them
+ */
+export function outlineOf({ positions, indices }: Triangles, towards: (at: Vec3) => Vec3, inward: boolean): WayPoint[] | null {
+    const names = new Map<string, number>();
+    const corner = (i: number): Vec3 => cornerOf(positions, indices[i]!);
+    const place = (i: number): number => {
+        const name = corner(i).join();
+        const known = names.get(name) ?? names.size;
+        names.set(name, known);
+        return known;
+    };
+    const edges = new Map<string, { from: number; to: number; a: Vec3; normal: Vec3; inside: Vec3 } | null>();
+    for (let t = 0; t + 2 < indices.length; t += 3) {
+        const normal = unit(normalOf(corner(t), corner(t + 1), corner(t + 2)));
+        if (lengthOf(normal) === 0) continue;
+        for (let k = 0; k < 3; ++k) {
+            const [i, j] = [t + k, t + ((k + 1) % 3)];
+            const [from, to] = [place(i), place(j)];
+            const key = from < to ? `${from} ${to}` : `${to} ${from}`;
+            const a = corner(i);
+            const inside = unit(cross(normal, minus(corner(j), a)));
+            edges.set(key, edges.has(key) ? null : { from, to, a, normal, inside });
+        }
+    }
+    const border = [...edges.values()].filter((each) => each !== null);
+    const next = new Map<number, typeof border>();
+    for (const each of border) next.set(each.from, [...(next.get(each.from) ?? []), each]);
+    let longest: typeof border = [];
+    let most = 0;
+    const taken = new Set<(typeof border)[number]>();
+    for (const first of border) {
+        const loop: typeof border = [];
+        for (let at: (typeof border)[number] | undefined = first; at !== undefined && !taken.has(at);) {
+            taken.add(at);
+            loop.push(at);
+            at = next.get(at.to)?.find((each) => !taken.has(each));
+        }
+        const length = loop.reduce((sum, each, i) => sum + distance(each.a, loop[(i + 1) % loop.length]!.a), 0);
+        if (loop.length > 2 && loop.at(-1)!.to === loop[0]!.from && length > most) [longest, most] = [loop, length];
+    }
+    if (longest.length === 0) return null;
+    const way = longest.map(({ a, normal, inside }, i): WayPoint => {
+        const before = longest.at(i - 1)!;
+        const side = dot(normal, towards(a)) < 0 ? -1 : 1;
+        const out = times(mitre(normal, before.normal), side);
+        return { point: a, off: inward ? plus(out, mitre(inside, before.inside)) : out };
+    });
+    return [...way, way[0]!];
+}
+
+function cutsOf({ positions, indices }: Triangles, across: Vec3, at: number): Cut[] {
+    const cuts: Cut[] = [];
+    const beyond = (i: number): number => {
+        const v = 3 * indices[i]!;
+        return across[0] * positions[v]! + across[1] * positions[v + 1]! + across[2] * positions[v + 2]! - at;
+    };
+    for (let t = 0; t + 2 < indices.length; t += 3) {
+        const off = [beyond(t), beyond(t + 1), beyond(t + 2)] as const;
+        const sides = off.map((each) => each >= 0);
+        if (sides[0] === sides[1] && sides[1] === sides[2]) continue;
+        const corners = [0, 1, 2].map((k) => cornerOf(positions, indices[t + k]!));
+        const normal = unit(normalOf(corners[0]!, corners[1]!, corners[2]!));
+        if (lengthOf(normal) === 0) continue;
+        const crossed = [0, 1, 2].filter((k) => sides[k] !== sides[(k + 1) % 3]);
+        const [a, b] = crossed.map((k) => crossing(corners[k]!, corners[(k + 1) % 3]!, off[k]!, off[(k + 1) % 3]!));
+        cuts.push({ ends: [a!.point, b!.point], edges: [a!.edge, b!.edge], normal });
+    }
+    return cuts;
+}
+
+/** The same from both triangles of an edge. */
+function crossing(a: Vec3, b: Vec3, offA: number, offB: number): { point: Vec3; edge: string } {
+    const [nameA, nameB] = [a.join(), b.join()];
+    if (nameA > nameB) return crossing(b, a, offB, offA);
+    return { point: plus(a, times(minus(b, a), offA / (offA - offB))), edge: `${nameA} ${nameB}` };
+}
+
+function nearest(cuts: readonly Cut[], to: Vec3): { cut: Cut; apart: number } | null {
+    let found: { cut: Cut; apart: number } | null = null;
+    for (const cut of cuts) {
+        const apart = distance(to, closestOn(cut.ends[0], cut.ends[1], to));
+        if (found === null || apart < found.apart) found = { cut, apart };
+    }
+    return found;
+}
+
+function closestOn(a: Vec3, b: Vec3, to: Vec3): Vec3 {
+    const along = minus(b, a);
+    const square = dot(along, along);
+    const part = square > 0 ? Math.min(1, Math.max(0, dot(minus(to, a), along) / square)) : 0;
+    return plus(a, times(along, part));
+}
+
+/** Null where it comes to a border, or back. */
+function walk(
+    first: Cut,
+    last: Cut,
+    way: 0 | 1,
+    beside: ReadonlyMap<string, readonly Cut[]>,
+    from: Vec3,
+    to: Vec3,
+): { pieces: Piece[]; length: number } | null {
+    const pieces: Piece[] = [];
+    let [cut, at, out]: [Cut, Vec3, 0 | 1] = [first, from, way];
+    let length = 0;
+    const add = (next: Vec3): void => {
+        if (distance(at, next) > 0) pieces.push({ from: at, to: next, normal: cut.normal });
+        length += distance(at, next);
+        at = next;
+    };
+    for (let step = 0; step <= beside.size; ++step) {
+        add(cut.ends[out]);
+        const edge = cut.edges[out];
+        const both = beside.get(edge)!;
+        if (both.length !== 2) return null;
+        cut = both[0] === cut ? both[1]! : both[0]!;
+        if (cut === first) return null;
+        out = cut.edges[0] === edge ? 1 : 0;
+        if (cut === last) {
+            add(to);
+            return { pieces, length };
+        }
+    }
+    return null;
+}
+
+/** Whichever way the triangles are turned, the normals are all on one side of the way in its plane. */
+function wayOf(pieces: readonly Piece[], across: Vec3, towards: Vec3): WayPoint[] {
+    const left = ({ from, to, normal }: Piece): Vec3 =>
+        dot(normal, cross(across, minus(to, from))) < 0 ? times(normal, -1) : normal;
+    const side = dot(left(pieces[0]!), towards) < 0 ? -1 : 1;
+    const normals = pieces.map((each) => times(left(each), side));
+    const way: WayPoint[] = [{ point: pieces[0]!.from, off: normals[0]! }];
+    pieces.forEach(({ from, to }, i) => {
+        const [here, next] = [normals[i]!, normals[i + 1]];
+        if (next === undefined) {
+            way.push({ point: to, off: here });
+            return;
+        }
+        const after = minus(pieces[i + 1]!.to, to);
+        if (dot(here, next) < roundFrom && dot(after, here) < 0) {
+            const tip = unit(minus(unit(minus(to, from)), unit(after)));
+            way.push(...[here, tip, next].map((off) => ({ point: to, off })));
+        } else way.push({ point: to, off: mitre(here, next) });
+    });
+    return way;
+}
+
+/** Is as far from both planes as 1 is long, but in the sharpest corners. */
+function mitre(a: Vec3, b: Vec3): Vec3 {
+    return times(plus(a, b), 1 / Math.max(1 + dot(a, b), roundFrom));
+}
+
+function kneesOf(points: readonly Vec3[], within: number): Vec3[] {
+    const kept = new Set([0, points.length - 1]);
+    const spans: [number, number][] = [[0, points.length - 1]];
+    for (let span = spans.pop(); span !== undefined; span = spans.pop()) {
+        const [from, to] = span;
+        let [far, at] = [within, -1];
+        for (let i = from + 1; i < to; ++i) {
+            const apart = distance(points[i]!, closestOn(points[from]!, points[to]!, points[i]!));
+            if (apart > far) [far, at] = [apart, i];
+        }
+        if (at < 0) continue;
+        kept.add(at);
+        spans.push([from, at], [at, to]);
+    }
+    return points.filter((_, i) => kept.has(i));
+}
+
+function cornerOf(positions: ArrayLike<number>, vertex: number): Vec3 {
+    return [positions[3 * vertex]!, positions[3 * vertex + 1]!, positions[3 * vertex + 2]!];
+}
+
+function normalOf(a: Vec3, b: Vec3, c: Vec3): Vec3 {
+    return cross(minus(b, a), minus(c, a));
+}
+
+function sizeOf({ positions }: Triangles): number {
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < positions.length; ++i) {
+        low[i % 3] = Math.min(low[i % 3]!, positions[i]!);
+        high[i % 3] = Math.max(high[i % 3]!, positions[i]!);
+    }
+    return Math.hypot(...low.map((each, k) => high[k]! - each));
+}
