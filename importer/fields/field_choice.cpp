@@ -43,16 +43,11 @@ bool contains(const std::vector<FieldInfo>& fields, const FieldInfo& field) {
                        [&](const FieldInfo& other) { return same_array(field, other); });
 }
 
-/// Says whether someone means this field by a name: the source's, or that which tells it from another.
-bool is_called(const FieldInfo& field, const std::string& name, const std::vector<FieldInfo>& all) {
-    return field.name == name || told_apart(field, all) == name;
-}
-
 core::Result<void> check_wanted(const std::vector<FieldInfo>& fields,
                                 const std::vector<std::string>& wanted) {
     for (const auto& name : wanted) {
         const auto found = std::find_if(fields.begin(), fields.end(), [&](const FieldInfo& f) {
-            return is_called(f, name, fields);
+            return told_apart(f, fields) == name;
         });
         if (found == fields.end())
             return core::fail(Error::Code::NotFound,
@@ -142,10 +137,8 @@ void choose_scalars(const std::vector<FieldInfo>& fields,
     std::vector<FieldInfo> named;
     std::copy_if(found.begin(), found.end(), std::back_inserter(named),
                  [&](const FieldInfo& field) {
-                     return std::any_of(wanted.begin(), wanted.end(),
-                                        [&](const std::string& name) {
-                                            return is_called(field, name, fields);
-                                        }) &&
+                     const std::string name = told_apart(field, fields);
+                     return std::find(wanted.begin(), wanted.end(), name) != wanted.end() &&
                             !contains(choice.velocity.divisor, field);
                  });
     std::set<std::string> taken{std::string(store::velocity_stem)};
@@ -189,12 +182,22 @@ void note_what_is_left_out(const std::vector<FieldInfo>& fields, FieldChoice& ch
 } // namespace
 
 std::string told_apart(const FieldInfo& field, const std::vector<FieldInfo>& all) {
-    const bool twin =
-        field.source == FieldInfo::Source::Cell &&
-        std::any_of(all.begin(), all.end(), [&](const FieldInfo& other) {
-            return other.name == field.name && other.source == FieldInfo::Source::Point;
-        });
-    return twin ? field.name + " (cells)" : field.name;
+    const bool twin = field.source == FieldInfo::Source::Cell &&
+                      std::any_of(all.begin(), all.end(), [&](const FieldInfo& other) {
+                          return other.name == field.name &&
+                                 other.source == FieldInfo::Source::Point &&
+                                 other.components == field.components;
+                      });
+    if (!twin)
+        return field.name;
+    const auto taken = [&](const std::string& name) {
+        return std::any_of(all.begin(), all.end(),
+                           [&](const FieldInfo& other) { return other.name == name; });
+    };
+    std::string name = field.name + " (cells)";
+    for (int i = 2; taken(name); ++i)
+        name = field.name + " (cells " + std::to_string(i) + ")";
+    return name;
 }
 
 FieldInfo ChosenScalar::info() const {

@@ -118,5 +118,5 @@ def query_of(times: Optional[Times], through: Optional[str], time: Union[float, 
     if through is not None:
         query["through"] = through
     if fields:
-        query["fields"] = ",".join(fields)
+        query["fields"] = "\n".join(fields)
     return query

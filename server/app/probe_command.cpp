@@ -1,3 +1,4 @@
+#include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/measures/numbers_over_time.hpp"
 #include "core/surface/request/surface_plan.hpp"
 #include "protocol/files/numbers_csv.hpp"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -34,8 +36,8 @@ using core::Vec3;
 namespace {
 
 constexpr std::size_t most_points = 1'000'000, most_times = 100'000;
-/// Of a number in the table and in the text.
-constexpr std::size_t bytes_per_number = 40;
+/// Of a number in the table, in the text and in what is printed, and of a row beside, with its sample.
+constexpr std::size_t bytes_per_number = 60, bytes_per_row = 200;
 
 Result<Vec3> read_point(std::string_view text, const std::string& option) {
     if (const auto point = point_of(text))
@@ -103,6 +105,9 @@ Result<std::vector<double>> read_sample_times(const ProbeOptions& options,
             return std::vector{time};
         });
     const auto& stored = dataset.info.times;
+    if (dataset.info.steady || stored.size() == 1)
+        return fail(Error::Code::InvalidArgument, "--times: the data have one time",
+                    "leave it out: nothing changes");
     if (options.times == "stored") {
         if (stored.empty())
             return fail(Error::Code::InvalidArgument, "--times: the data have no stored times",
@@ -114,11 +119,7 @@ Result<std::vector<double>> read_sample_times(const ProbeOptions& options,
         core::SurfaceParameters range;
         range.from = bounds ? (*bounds)[0] : std::min(times.first, times.last);
         range.to = bounds ? (*bounds)[1] : std::max(times.first, times.last);
-        return times_in(times, range, most_times, "--times").map_error([](Error error) {
-            if (error.code == Error::Code::InvalidArgument)
-                error.hint = "at most 100000 times from the first of the data to the last";
-            return error;
-        });
+        return times_in(times, range, most_times, "--times");
     });
 }
 
@@ -135,7 +136,7 @@ struct Wanted {
     std::vector<Quantity> quantities;
 };
 
-/// The velocity by its name becomes its components, and `speed` its magnitude unless a field has that name.
+/// The velocity, by its name or as `velocity`, becomes its components; these and `speed` come of it unless a field has that name.
 Result<Wanted> read_quantities(const std::vector<std::string>& names, const LoadedDataset& data) {
     const std::string& velocity = data.info.velocity;
     Wanted out;
@@ -148,19 +149,27 @@ Result<Wanted> read_quantities(const std::vector<std::string>& names, const Load
     };
     const auto add = [&](Quantity::Of of, const std::string& name, const std::string& field,
                          int axis) {
+        const auto same = [&](const Quantity& each) { return each.column.name == name; };
+        if (std::any_of(out.quantities.begin(), out.quantities.end(), same))
+            return;
         out.quantities.push_back({of,
                                   {name, 0, 0, core::not_known, core::unit_of(data.info, field)},
                                   place_of(field),
                                   axis});
     };
+    const auto& components = core::velocity_component_names;
     for (const std::string& name : names) {
         const bool stored = data.scalars != nullptr && data.scalars->find(name);
+        const auto* const component = std::find(components.begin(), components.end(), name);
         if (name == "speed" && !stored) {
             add(Quantity::Of::Speed, name, velocity, 0);
-        } else if (name == velocity) {
+        } else if (name == velocity || (name == "velocity" && !stored)) {
             for (int axis = 0; axis < 3; ++axis)
-                add(Quantity::Of::Component, fmt::format("velocity_{}", "xyz"[axis]), velocity,
-                    axis);
+                add(Quantity::Of::Component,
+                    std::string(components[static_cast<std::size_t>(axis)]), velocity, axis);
+        } else if (component != components.end() && !stored) {
+            add(Quantity::Of::Component, name, velocity,
+                static_cast<int>(component - components.begin()));
         } else {
             if (auto known = find_node_field(name, data.info, data.scalars.get(), "--fields");
                 !known)
@@ -184,6 +193,15 @@ double value_of(const Quantity& quantity, const ProbeResult& found, std::size_t 
     }
 }
 
+/// Prints what a command was asked for. Error: Io where the reader is gone or the disk full.
+Result<void> print_text(const std::string& text) {
+    const std::string shown = core::printable(text);
+    if (std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size() &&
+        std::fflush(stdout) == 0)
+        return {};
+    return fail(Error::Code::Io, "the table could not be printed whole", "write it to a file: -o");
+}
+
 Result<void> print_samples(const ProbeOptions& options, const std::stop_token& stop) {
     const auto places = read_places(options);
     if (!places)
@@ -197,8 +215,7 @@ Result<void> print_samples(const ProbeOptions& options, const std::stop_token& s
     if (!times)
         return tl::unexpected(times.error());
     const auto wanted = read_quantities(
-        options.fields.empty() ? std::vector<std::string>{"speed", dataset->info.velocity}
-                               : options.fields,
+        options.fields.empty() ? std::vector<std::string>{"speed", "velocity"} : options.fields,
         *dataset);
     if (!wanted)
         return tl::unexpected(wanted.error());
@@ -218,7 +235,7 @@ Result<void> print_samples(const ProbeOptions& options, const std::stop_token& s
         table.columns.push_back(each.column);
     core::MemoryAccount::Share share = process.account().open(core::MemoryUse::Downloads);
     const std::size_t rows = times->size() * places->points.size();
-    const std::size_t bytes = rows * table.columns.size() * bytes_per_number;
+    const std::size_t bytes = rows * (table.columns.size() * bytes_per_number + bytes_per_row);
     if (!share.grow_to(bytes))
         return tl::unexpected(process.account().refusal("this table", bytes));
     std::size_t outside = 0;
@@ -243,11 +260,11 @@ Result<void> print_samples(const ProbeOptions& options, const std::stop_token& s
         }
     }
     const std::string text = protocol::numbers_csv(table, length_unit, dataset->info.time_unit);
-    if (options.output.empty())
-        tell("{}", text);
-    else if (auto written = write_whole_file(options.output, text); !written)
+    if (auto written =
+            options.output.empty() ? print_text(text) : write_whole_file(options.output, text);
+        !written)
         return written;
-    else
+    if (!options.output.empty())
         tell("{}: {} rows\n", options.output, rows);
     if (outside > 0)
         tell(stderr, "wakesurf: {} of {} rows are of no place in the fluid, and have no values\n",

@@ -49,11 +49,11 @@ core::Result<std::vector<double>> times_in(const SeriesTimes& times,
                               fmt::format("{}: {} is outside {} to {}, the times that there are",
                                           option, core::time_text(time), core::time_text(p.from),
                                           core::time_text(p.to)),
-                              "choose times inside them, or other `from` and `to`");
+                              "choose times inside them");
     const double length = sign * (last - first);
     if (length < 0.0)
         return core::fail(core::Error::Code::InvalidArgument,
-                          fmt::format("{}: the surface moves from {} to {}, and the times run "
+                          fmt::format("{}: time goes from {} to {} here, and the times run "
                                       "the other way",
                                       option, core::time_text(p.from), core::time_text(p.to)),
                           "exchange FIRST and LAST");

@@ -113,10 +113,18 @@ averaged_fields(const LoadedDataset& dataset,
     if (auto known = check_fields(dataset, fields, parameter); !known)
         return tl::unexpected(known.error());
     std::vector<core::AveragedField> out;
+    const auto unit_of = [&](const std::string& name) {
+        if (component_here(dataset, name) && !core::is_normal_component(name))
+            return core::unit_of(dataset.info, dataset.info.velocity);
+        const bool length = name == core::error_name || name == core::interval_error_name;
+        return length && !stored(dataset, name) ? dataset.info.length_unit
+                                                : core::unit_of(dataset.info, name);
+    };
     for (const std::string& name : fields) {
-        const bool of_velocity = component_here(dataset, name) && !core::is_normal_component(name);
+        if (std::ranges::find(out, name, &core::AveragedField::name) != out.end())
+            continue;
         out.push_back(
-            {name, core::unit_of(dataset.info, of_velocity ? dataset.info.velocity : name),
+            {name, unit_of(name),
              [&dataset, name](const core::QuadComplex& mesh, const std::vector<double>& times,
                               const std::stop_token& stop) -> core::Result<std::vector<float>> {
                  if (written_anyhow(dataset, name))

@@ -39,11 +39,13 @@ core::Result<NumbersRequest> read_numbers(const std::map<std::string, std::strin
                 return tl::unexpected(region.error());
             out.through = *region;
         } else if (name == "fields") {
-            for (const std::string_view field : split(value, ','))
-                out.fields.emplace_back(field);
-            if (out.fields.size() > limits::fields)
+            // Names may have commas: a velocity of three scalars is "u, v, w".
+            for (const std::string_view field : split(value, '\n'))
+                if (!field.empty())
+                    out.fields.emplace_back(field);
+            if (out.fields.size() > limits::probe_fields)
                 return fail(Error::Code::InvalidArgument,
-                            fmt::format("`fields` names more than {}", limits::fields),
+                            fmt::format("`fields` names more than {}", limits::probe_fields),
                             "leave some out");
         } else if (name == "time") {
             shown.emplace(name, value);
@@ -51,7 +53,8 @@ core::Result<NumbersRequest> read_numbers(const std::map<std::string, std::strin
             return fail(Error::Code::InvalidArgument,
                         "numbers have no parameter `" + name.substr(0, 64) + "`",
                         "the parameters are ?time=2.5, ?time=end, ?times=0:5:0.1 and "
-                        "?through=plane:0,0,0:1,0,0 or box:0,0,0:1,1,1 and ?fields=p,U");
+                        "?through=plane:0,0,0:1,0,0 or box:0,0,0:1,1,1 and ?fields=p, several with "
+                        "%0A between them");
         }
     }
     if (out.times && !shown.empty())

@@ -61,8 +61,17 @@ TEST(FieldChoice, TellsAScalarOfTheCellsFromOneOfThePoints) {
     };
     using Names = std::vector<std::string>;
     EXPECT_EQ(names({}), (Names{"p", "p (cells) of cells", "T of cells"}));
-    EXPECT_EQ(names({"p"}), (Names{"p", "p (cells) of cells"}));
+    EXPECT_EQ(names({"p"}), (Names{"p"}));
     EXPECT_EQ(names({"p (cells)"}), (Names{"p (cells) of cells"}));
+}
+
+TEST(FieldChoice, TakesANameThatNoFieldHasToTellThemApart) {
+    const Fields fields{cell("p", 1), point("U", 3), point("p", 1), point("p (cells)", 1)};
+    EXPECT_EQ(told_apart(fields[0], fields), "p (cells 2)");
+    EXPECT_EQ(choose_fields(fields, {})->scalars.size(), 3u);
+    // A vector is stored as its magnitude, which has another name.
+    const Fields vector{cell("p", 1), point("U", 3), point("p", 3)};
+    EXPECT_EQ(told_apart(vector[0], vector), "p");
 }
 
 TEST(FieldChoice, StoresOtherVectorsAsTheirMagnitudes) {

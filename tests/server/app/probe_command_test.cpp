@@ -90,8 +90,9 @@ TEST(ProbeCommand, RefusesInWords) {
     refused({"flow:tornado"}, "neither --at nor --line says where");
     refused({"flow:tornado", "--at", "1,2"}, "'1,2' is no point");
     refused({"flow:tornado", "--line", "0,0,0:0,0,0"}, "it has no length");
-    refused({"flow:tornado", "--at", "0,0,0", "--fields", "vortcity"}, "vorticity");
-    refused({"flow:double-gyre", "--at", "0,0,0", "--times", "0:1e6:1e-3"}, "--times");
+    refused({"flow:tornado", "--at", "0,0,0", "--fields", "vortcity"}, "did you mean vorticity");
+    refused({"flow:double-gyre", "--at", "0,0,0", "--times", "0:10:1e-5"}, "at most 100000");
+    refused({"flow:sphere", "--at", "0,0,0", "--times", "0:1:1"}, "the data have one time");
 }
 
 } // namespace wakesurf::server::probe_command_test

@@ -16,9 +16,9 @@ describe('the numbers of a surface', () => {
     });
 
     it('ask for the means of the velocity and of what the surface carries for its colours', () => {
-        const dataset = datasetOf({ velocity: 'U' });
+        const dataset = datasetOf({ velocity: 'u, v, w' });
         const fields = ['p (cells)', 'normal_x', 'velocity_y', 'twin_lag', 'deformation'];
-        expect(averagedFields(dataset, { fields })).toEqual(['U', 'p (cells)', 'deformation']);
+        expect(averagedFields(dataset, { fields })).toEqual(['u, v, w', 'p (cells)', 'deformation']);
         expect([...readNumbers('mean_p (cells) [Pa],notes\n1,\n').units]).toEqual([['mean_p (cells)', 'Pa']]);
     });
 

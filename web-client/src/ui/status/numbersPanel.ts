@@ -127,7 +127,7 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
         const { dataset, surface } = this.model.state;
         const fields = surface.value === undefined ? [] : averagedFields(dataset.value, surface.value);
         return {
-            ...(fields.length === 0 ? {} : { fields: fields.join() }),
+            ...(fields.length === 0 ? {} : { fields: fields.join('\n') }),
             ...(this.through.value === '' ? {} : { through: this.through.value }),
         };
     }
