@@ -204,7 +204,8 @@ int main(int argc, char** argv) {
         app.add_option("STORE_DIR", wish.store, "the store's folder, created if missing");
     app.add_option("--fields", wish.request.fields,
                    "scalars to keep beside the velocity, and vectors to keep the magnitudes of")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     app.add_option(
         "--times", times,
         "T0:T1[:EVERY]: times from T0 to T1, both included; only every EVERY-th time-step; several "

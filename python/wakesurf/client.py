@@ -202,8 +202,8 @@ class Client(Helpful):
               time: Optional[float] = None, samples: int = 256, minus: Optional[str] = None,
               minus_time: Optional[float] = None) -> Slice:
         """Returns a field on the part of a plane that is in the dataset's bounds: `samples` (1 to 2048) along the longer side.
-        `field`: a stored scalar, or what surfaces can carry of the velocity, "vorticity", "q_criterion", "velocity_x" and so on;
-        left out, the speed. `time`: left out of a flow that stands still. `minus`: the dataset whose field is subtracted, and
+        `field`: a stored scalar, or what surfaces can carry of the velocity, "vorticity", "q_criterion", "velocity_x" and so on, or
+        "velocity_normal", across the plane; left out, the speed. `time`: left out of a flow that stands still. `minus`: the dataset whose field is subtracted, and
         `minus_time`: at which time, left out: the same; one without the other is of this time or this dataset. Error: NotFound, InvalidParameters, OutsideTimeRange,
         OutsideDomain where the plane misses the bounds.
 

@@ -65,11 +65,14 @@ void add_body_options(CLI::App& command, BodyOptions& options) {
         .add_option("--fields", options.fields,
                     "Fields beside the body, a,b: stored scalars, the velocity, vorticity, "
                     "q_criterion (default: the shape alone)")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     CLI::Option* const patch =
-        command.add_option("--patch", options.patches,
-                           "A patch of the boundary by its name, instead of all walls of bodies; "
-                           "may be given again");
+        command
+            .add_option("--patch", options.patches,
+                        "A patch of the boundary by its name, instead of all walls of bodies; "
+                        "may be given again")
+            ->allow_extra_args(false);
     command
         .add_flag("--all-patches", options.all_patches,
                   "All patches, also inlets, outlets and walls in the sides of the domain")

@@ -95,10 +95,11 @@ void add_lines_options(CLI::App& command, LinesOptions& options) {
                     "corner and those beside it), sphere:x,y,z:radius, "
                     "walls:distance or along (on the walls, which the lines follow)")
         ->required();
-    command.add_option(
-        "--patch", options.patches,
-        "A patch of the boundary by its name, for --from walls:distance and along, instead of "
-        "all walls of bodies; may be given again");
+    command
+        .add_option("--patch", options.patches,
+                    "A patch of the boundary by its name, for --from walls:distance and along, "
+                    "instead of all walls of bodies; may be given again")
+        ->allow_extra_args(false);
     command.add_option("--seeds", options.seeds, "Number of seeds")
         ->check(CLI::Range(std::uint64_t{1}, limits::line_seeds))
         ->capture_default_str();

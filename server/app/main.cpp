@@ -97,7 +97,8 @@ void add_import_options(CLI::App& command, ImportOptions& options) {
         .add_option("--fields", options.fields,
                     "Fields to keep beside the velocity, a,b (default: all scalars, and the "
                     "magnitudes of other vectors)")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command.add_option("--times", options.times,
                        "T0:T1[:EVERY], several with commas: only time-steps in one of these");
     wakesurf::command::add_source_options(command, options.taken);

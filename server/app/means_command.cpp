@@ -90,7 +90,8 @@ void add_means_options(CLI::App& command, MeansOptions& options) {
         .add_option("--fields", options.fields,
                     "What is averaged, with commas: the velocity, scalar fields, or what is "
                     "derived, such as vorticity")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     auto* const remove = command.add_option(
         "--remove", options.remove, "Remove the means that were made with the field of this name");
     command.add_option("--from", options.from,

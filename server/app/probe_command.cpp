@@ -277,7 +277,8 @@ Result<void> print_samples(const ProbeOptions& options, const std::stop_token& s
 void add_probe_options(CLI::App& command, ProbeOptions& options) {
     add_dataset_argument(command, options.dataset);
     CLI::Option* const at =
-        command.add_option("--at", options.at, "A point, x,y,z; may be given again");
+        command.add_option("--at", options.at, "A point, x,y,z; may be given again")
+            ->allow_extra_args(false);
     command
         .add_option("--line", options.line,
                     "Points evenly along a line, x,y,z:x,y,z; more corners with colons")
@@ -288,7 +289,8 @@ void add_probe_options(CLI::App& command, ProbeOptions& options) {
         .add_option("--fields", options.fields,
                     "Fields, a,b: stored scalars, the velocity, speed, velocity_x, vorticity, "
                     "q_criterion (default: speed and velocity)")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     CLI::Option* const time =
         command.add_option("--time", options.time, "Time of the values (default: the last)")
             ->check(CLI::Number);

@@ -166,8 +166,9 @@ void add_slice_options(CLI::App& command, SliceOptions& options) {
     command
         .add_option("--fields", options.fields,
                     "Fields to sample, a,b: stored scalars, vorticity, q_criterion, components as "
-                    "vorticity_z (default: the speed)")
-        ->delimiter(',');
+                    "vorticity_z, velocity_normal across the plane (default: the speed)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command.add_option("--time", options.time, "Time of the slice (default: the last)")
         ->check(CLI::Number);
     command.add_option("--minus", options.minus,

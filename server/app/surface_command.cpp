@@ -322,7 +322,8 @@ void add_surface_options(CLI::App& command, SurfaceOptions& options) {
             "--fields", options.fields,
             "Scalar fields to write at the vertices, a,b; vorticity and q_criterion are derived; "
             "with -o NAME.csv their means")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command.add_option("--max-quads", options.max_quads, "Maximum number of quads")
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000}))
         ->capture_default_str();

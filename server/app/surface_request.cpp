@@ -275,12 +275,11 @@ core::Result<void> check_picture_options(const SurfaceOptions& options) {
 /// Returns InvalidArgument for an option that a series does not take.
 core::Result<void> check_series_options(const SurfaceOptions& options, const Series& series) {
     const bool files = series.form == Series::Form::Files;
-    const std::pair<bool, const char*> others[] = {
-        {!files && !options.lines.empty(), "--lines"},
-        {options.tessellate > 1, "--tessellate"},
-        {!files && !options.draco, "--no-draco"},
-        {!options.stats.empty(), "--stats"},
-        {options.seconds > 0.0, "--seconds"}};
+    const std::pair<bool, const char*> others[] = {{!files && !options.lines.empty(), "--lines"},
+                                                   {options.tessellate > 1, "--tessellate"},
+                                                   {!files && !options.draco, "--no-draco"},
+                                                   {!options.stats.empty(), "--stats"},
+                                                   {options.seconds > 0.0, "--seconds"}};
     for (const auto& [given, option] : others)
         if (given)
             return core::fail(core::Error::Code::InvalidArgument,

@@ -45,7 +45,8 @@ std::vector<std::string> lines_of(const std::string& text) {
     std::vector<std::string> out;
     std::istringstream rest(text);
     for (std::string line; std::getline(rest, line);)
-        out.push_back(line);
+        if (!line.empty())
+            out.push_back(line);
     return out;
 }
 

@@ -1,5 +1,6 @@
 // What of a session shows a field of a dataset beside its surfaces: slices and streamlines.
 #include "core/surface/slice/plane_window.hpp"
+#include "server/base/limits.hpp"
 #include "server/data/node_fields.hpp"
 #include "server/data/obstacle_mesh.hpp"
 #include "server/data/slice_field.hpp"
@@ -44,9 +45,16 @@ core::Result<void> check_lines(const protocol::LinesRecord& record, const OpenDa
         !there)
         return there;
     const std::vector<core::BoundaryPatch>& patches = dataset.info.patches;
-    for (const std::string& name : record.places.patches)
+    std::size_t letters = 0;
+    for (const std::string& name : record.places.patches) {
         if (std::ranges::find(patches, name, &core::BoundaryPatch::name) == patches.end())
             return tl::unexpected(no_patch(name, patches));
+        letters += name.size();
+    }
+    // They are asked for in an address, where a byte may take three.
+    if (3 * letters > limits::http_header_bytes / 2)
+        return fail(Error::Code::InvalidArgument, "`patches`: the names are too long together",
+                    "release the lines of some of them in a second set");
     if (core::of_walls(record.places.kind) && record.places.patches.empty() &&
         !dataset.info.obstacle)
         return fail(Error::Code::InvalidArgument, "`kind`: the data have no walls",

@@ -66,7 +66,7 @@ TEST(ProbeCommand, SamplesEvenlyAlongALineWithCorners) {
 }
 
 TEST(ProbeCommand, HasARowForEachTimeAndPointAndNothingOutsideOfTheFluid) {
-    const Table found = probed({"flow:double-gyre", "--at", "0.5,0.25,0", "--at", "0.5,9,0",
+    const Table found = probed({"--at", "0.5,0.25,0", "--at", "0.5,9,0", "flow:double-gyre",
                                 "--times", "0:4:2", "--fields", "speed"});
     ASSERT_EQ(found.outcome.exit_status, 0) << found.outcome.errors;
     EXPECT_EQ(found.head.substr(0, 10), "time,x,y,z");
