@@ -117,7 +117,7 @@ export class BodyRakes implements PointerTool {
         const middle = middleOf(state.dataset.value!);
         const isWall = patch.kind === 'wall';
         const way = outlineOf({ positions: body.positions, indices }, (at) => minus(isWall ? eye : middle, at), !isWall);
-        if (way === null) return 'The patch has no outline: it is closed.';
+        if (typeof way === 'string') return way;
         void this.make(way);
         return null;
     }
