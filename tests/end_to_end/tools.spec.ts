@@ -118,13 +118,14 @@ it('a line that is clicked on the body becomes a rake off it', async () => {
         }
         return [found[0]!, found.at(-1)!];
     });
+    const session = await ask(page, (hook) => hook.session);
+    const polylines = async (): Promise<number> => {
+        const { rakes } = (await rig.server.call('rake.list', { session })) as { rakes: { kind: string }[] };
+        return rakes.filter(({ kind }) => kind === 'polyline').length;
+    };
+    const before = await polylines();
     for (const { x, y } of onBody) await page.mouse.click(x, y);
     await page.getByText('2 of its points are set.').waitFor();
     await page.getByRole('button', { name: 'End the line' }).click();
-    const session = await ask(page, (hook) => hook.session);
-    await expect
-        .poll(async () =>
-            ((await rig.server.call('rake.list', { session })) as { rakes: { kind: string }[] }).rakes.map(({ kind }) => kind),
-        )
-        .toContain('polyline');
+    await expect.poll(polylines).toBe(before + 1);
 }, 60_000);

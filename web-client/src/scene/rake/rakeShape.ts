@@ -215,7 +215,7 @@ function turned(a: Vec3, axis: Vec3, angle: number): Vec3 {
 }
 
 /** Some direction at right angles to one of length one. */
-function across(direction: Vec3): Vec3 {
+export function across(direction: Vec3): Vec3 {
     const axes: Vec3[] = [
         [1, 0, 0],
         [0, 1, 0],

@@ -285,6 +285,19 @@ describe('undo', () => {
         expect(bench.edits.history.undoable.value).toBe(0);
     });
 
+    it('says of a new rake whether it was made, which it is without a surface, too', async () => {
+        const bench = new Bench();
+        bench.state.dataset.value = datasetOf();
+        bench.state.suggestion.value = { dataset: 'flow', ...suggestionOf() };
+        const refused = bench.edits.actions.newRake();
+        await bench.refuse(new Error('no more rakes'));
+        expect(await refused).toBe(false);
+        const bare = bench.edits.actions.newRake();
+        await bench.answer(1, { rake: 'r3' });
+        await bench.refuse(new Error('no more surfaces'));
+        expect(await bare).toBe(true);
+    });
+
     it('takes back a drag, a slider, or a button that makes two records, with one call each', async () => {
         const bench = new Bench();
         bench.state.dataset.value = datasetOf();

@@ -33,9 +33,10 @@ export class RecordActions {
         this.choose = choose;
     }
 
-    /** @param drawn  left out: beside the others */
-    newRake(drawn?: RakeShape): Promise<void> {
-        return this.attempt('new rake', async (call) => {
+    /** Returns whether it was made, with a surface or without. @param drawn  left out: beside the others */
+    async newRake(drawn?: RakeShape): Promise<boolean> {
+        let made = false;
+        await this.attempt('new rake', async (call) => {
             const { rakes, dataset } = this.state;
             if (dataset.value === null) return;
             const { rake: first } = this.suggestion ?? (await this.suggested());
@@ -49,9 +50,11 @@ export class RecordActions {
             // As near to each other as those of the first.
             const seeds = others.length === 0 ? first.seeds : Math.max(2, Math.ceil(first.seeds / 2));
             const rake = await this.make(call, shape, { seeds, name: this.freeName('Rake') });
+            made = true;
             await call('surface.set', await this.likeActive(rake));
             this.choose({ rake });
         });
+        return made;
     }
 
     /** A rake with a surface in other data, as the server suggests them; what is added next is of those, too. */

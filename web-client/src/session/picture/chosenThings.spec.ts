@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { SliceRecord } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
-import { ViewState } from '../../state/viewState.ts';
+import { newBodyRake, newSlice, ViewState } from '../../state/viewState.ts';
 import { connectChosenThings } from './chosenThings.ts';
 
 const slice: SliceRecord = { slice: 'c1', rev: 1, dataset: 'flow', origin: [0, 0, 1], normal: [0, 0, 1], field: 'U' };
@@ -45,5 +45,15 @@ describe('what is chosen', () => {
         expect(view.chosenThing.value).toBe('c1');
         state.slices.value = new Map();
         expect(view.chosenThing.value).toBeNull();
+    });
+
+    it('yields to a rake that becomes the active one, but for a line that is being drawn on the body', () => {
+        const { state, view } = opened('c1');
+        view.chosenThing.value = newSlice;
+        state.activeRake.value = 'r1';
+        expect(view.chosenThing.value).toBeNull();
+        view.chosenThing.value = newBodyRake;
+        state.activeRake.value = 'r2';
+        expect(view.chosenThing.value).toBe(newBodyRake);
     });
 });

@@ -5,7 +5,7 @@ import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
 import { hasBoundary, hiddenCells } from '../../state/bodyPatches.ts';
 import { bodyId, chosenRake, opacityOf, shows } from '../../state/pageView.ts';
-import type { ViewState } from '../../state/viewState.ts';
+import { newBodyRake, type ViewState } from '../../state/viewState.ts';
 
 export interface ChosenThingsOptions {
     state: Pick<
@@ -37,7 +37,8 @@ export function thingsThere(state: Pick<AppState, 'lines' | 'pictured' | 'rakes'
 export function connectChosenThings({ state, view, scene }: ChosenThingsOptions): void {
     effect(() => {
         void [state.activeRake.value, state.activeSurface.value];
-        untracked(() => (view.chosenThing.value = null));
+        // What is drawn on the body is not lost to what others do to rakes.
+        if (view.chosenThing.peek() !== newBodyRake) untracked(() => (view.chosenThing.value = null));
     });
     effect(() => {
         const visibility = view.visibility.value;

@@ -8,10 +8,18 @@ import type { AppState } from '../../state/appState.ts';
 /** Calm ones: an isosurface fills much of the picture. */
 const isosurfaceColours = ['#8fb8de', '#e0b478', '#93c9a1', '#d39ac0', '#b7a8e0', '#d6d49a'] as const;
 
-export function fieldWords(name: string, dataset: Pick<DatasetDescription, 'velocity'> | null): string {
+/** The velocity along the normal of a plane. */
+export const velocityAcross = 'velocity_normal';
+
+/** A stored scalar may have that name. */
+export function isVelocityAcross(name: string, dataset: Pick<DatasetDescription, 'fields'> | null): boolean {
+    return name === velocityAcross && !dataset?.fields.some((field) => field.name === name);
+}
+
+export function fieldWords(name: string, dataset: Pick<DatasetDescription, 'fields' | 'velocity'> | null): string {
     if (name === dataset?.velocity) return `${isolated(name)} (speed)`;
     if (name === 'q_criterion') return 'Vortices (Q)';
-    if (name === 'velocity_normal') return 'Velocity across the plane';
+    if (isVelocityAcross(name, dataset)) return 'Velocity across the plane';
     return name === 'vorticity' ? 'Vorticity (magnitude)' : name;
 }
 

@@ -263,7 +263,12 @@ export class Plots {
         if (!(Math.abs(to - from) > 0)) return this.show(null, 'This surface has one time: there is nothing to plot over time.');
         this.show(null, 'Being computed …');
         const times = `${from}:${to}:${Math.abs(to - from) / numberTimes}`;
-        const { text, fault } = await mesh.numbers(state.session.value ?? '', surface, { times, fields: fields.join('\n') }, signal);
+        const { text, fault } = await mesh.numbers(
+            state.session.value ?? '',
+            surface,
+            { times, fields: fields.join('\n') },
+            signal,
+        );
         if (signal.aborted) return;
         if (text === null) this.show(null, fault);
         else this.table.value = { of, table: readNumbers(text) };

@@ -1,15 +1,18 @@
-import { expect, it, vi } from 'vitest';
+import { expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import type { RakeShape } from '../../scene/rake/rakeShape.ts';
 import { newBodyRake } from '../../state/viewState.ts';
+import { settled } from '../../testing/fakes.ts';
 import { PageBench } from '../../testing/pageBench.ts';
 import { BodyRakes, type BodyRakesOptions } from './bodyRakes.ts';
 
-/** Over a square of side 10, seen from above, where a pixel is a unit. */
+/** Over a square of side 10, seen from above, where a pixel is a unit; from 90 on there is a body of another dataset. */
 function overSquare() {
-    vi.stubGlobal('addEventListener', () => undefined);
     const page = new PageBench();
     const made: RakeShape[] = [];
+    const server = { makes: true };
+    const patches = [{ name: 'square', kind: 'wall' as const, triangles: 1 }];
+    page.state.dataset.value = { ...page.state.dataset.value!, patches };
     const body = {
         positions: new Float32Array([0, 0, 0, 10, 0, 0, 10, 10, 0, 0, 10, 0]),
         indices: new Uint32Array([0, 1, 2, 0, 2, 3]),
@@ -17,17 +20,17 @@ function overSquare() {
     const scene = {
         body: { triangles: { ...body, shown: body.indices } },
         pickGrid: ({ x, y }: { x: number; y: number }) => ({
-            hits: [x <= 10 ? { surface: null, point: [x, y, 0] as Vec3 } : null],
+            hits: [x <= 10 || x >= 90 ? { surface: null, point: [x, y, 0] as Vec3 } : null],
         }),
         view: () => ({ outside: [5, 5, 100] }),
         pointerTools: { add: () => undefined },
     };
     const tool = new BodyRakes({
         ...{ state: page.state, view: page.view, scene: scene as unknown as BodyRakesOptions['scene'] },
-        actions: { newRake: (shape) => Promise.resolve(void made.push(shape!)) },
+        actions: { newRake: (shape) => Promise.resolve(server.makes && made.push(shape!) > 0) },
     });
     const click = (x: number, y: number): boolean => tool.click({ at: { x, y }, time: 0, shift: false });
-    return { view: page.view, tool, made, click };
+    return { state: page.state, view: page.view, tool, made, server, click, patch: patches[0]! };
 }
 
 it('a line that is clicked on a body becomes a rake off it', async () => {
@@ -59,4 +62,59 @@ it('what was clicked is forgotten with the tool', () => {
     view.tool.value = 'none'; // as Esc does
     expect([view.chosenThing.value, view.bodyWay.value.clicked.length, view.besidePointer.value]).toEqual([null, 0, null]);
     expect(made).toEqual([]);
+});
+
+it('a line that could not be made into a rake is still there', async () => {
+    const { view, tool, made, server, click } = overSquare();
+    view.chosenThing.value = newBodyRake;
+    click(1, 2);
+    click(8, 2);
+    server.makes = false;
+    const ended = tool.end();
+    expect(tool.canEnd).toBe(false);
+    await ended;
+    expect([view.chosenThing.value, view.bodyWay.value.clicked.length, tool.canEnd]).toEqual([newBodyRake, 2, true]);
+    server.makes = true;
+    await Promise.all([tool.end(), tool.end()]);
+    expect([made.length, view.chosenThing.value]).toEqual([1, null]);
+});
+
+it('the outline of a patch becomes a rake, but not while nothing can be changed', async () => {
+    const { state, view, tool, made, patch } = overSquare();
+    view.chosenThing.value = newBodyRake;
+    state.stage.value = 'starting';
+    expect([tool.canMake.value, tool.outline(patch), view.chosenThing.value]).toEqual([false, null, newBodyRake]);
+    expect(made).toEqual([]);
+    state.stage.value = 'running';
+    expect(tool.outline(patch)).toBeNull();
+    await settled();
+    expect([made[0]?.points.length, view.chosenThing.value]).toEqual([5, null]);
+    expect(tool.outline({ ...patch })).toContain('Show the patch');
+});
+
+it('who may only look on draws no line', () => {
+    const { state, view, click } = overSquare();
+    view.chosenThing.value = newBodyRake;
+    click(1, 2);
+    state.role.value = 'viewer';
+    expect([view.chosenThing.value, view.bodyWay.value.clicked.length]).toEqual([null, 0]);
+});
+
+it('what was drawn and typed goes with its dataset, not with a time that is added to it', () => {
+    const { state, view, tool, click } = overSquare();
+    view.chosenThing.value = newBodyRake;
+    click(1, 2);
+    tool.typedOff.value = 0.5;
+    state.dataset.value = { ...state.dataset.value!, times: [0, 1] };
+    expect([view.bodyWay.value.clicked.length, tool.off.value]).toEqual([1, 0.5]);
+    state.dataset.value = { ...state.dataset.value, dataset: 'other' };
+    expect([view.chosenThing.value, view.bodyWay.value.clicked.length, tool.typedOff.value]).toEqual([null, 0, null]);
+});
+
+it('a line does not begin on a body of another dataset', () => {
+    const { view, click } = overSquare();
+    view.chosenThing.value = newBodyRake;
+    click(95, 2);
+    expect(view.besidePointer.value?.words).toBe('There is no body of this dataset here.');
+    expect(view.bodyWay.value.clicked).toEqual([]);
 });

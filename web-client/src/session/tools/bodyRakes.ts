@@ -1,5 +1,5 @@
 // Rakes that stand off a body: along a line that is drawn on it, click by click, or along the outline of a patch. Loaded after the first picture.
-import { computed, effect, type ReadonlySignal, signal } from '@preact/signals-core';
+import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
 import { limits } from '../../protocol/generated/limits.ts';
 import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
 import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
@@ -9,10 +9,11 @@ import type { AppState } from '../../state/appState.ts';
 import { type Patch, patchSpans } from '../../state/bodyPatches.ts';
 import { newBodyRake, type ViewState } from '../../state/viewState.ts';
 import type { RecordActions } from '../edits/recordActions.ts';
-import { outlineOf, simplified, standOff, type Triangles, wayAlong, type WayPoint } from './bodyWay.ts';
+import { gridOf } from '../picture/bodies.ts';
+import { liesOn, outlineOf, simplified, standOff, type Triangles, wayAlong, type WayPoint } from './bodyWay.ts';
 
 export interface BodyRakesOptions {
-    state: Pick<AppState, 'allPatchesShown' | 'dataset'>;
+    state: Pick<AppState, 'allPatchesShown' | 'dataset' | 'datasets' | 'locked' | 'role'>;
     view: Pick<ViewState, 'besidePointer' | 'bodyWay' | 'chosenThing' | 'tool'>;
     scene: Pick<FlowScene, 'body' | 'pickGrid' | 'view'> & { pointerTools: Pick<FlowScene['pointerTools'], 'add'> };
     actions: Pick<RecordActions, 'newRake'>;
@@ -20,6 +21,7 @@ export interface BodyRakesOptions {
 
 /** Of the domain's diagonal: how far a rake stands off, unless someone says so. */
 const usuallyOff = 0.005;
+const leastOff = 1e-6;
 /** Of how far it stands off: so exactly it follows the body. */
 const exactness = 0.05;
 /** A rake of more is tedious to change. */
@@ -29,6 +31,11 @@ export class BodyRakes implements PointerTool {
     /** Null: as usual. */
     readonly typedOff = signal<number | null>(null);
     readonly off: ReadonlySignal<number>;
+    /** The least and the most that it can be. */
+    readonly offSpan: ReadonlySignal<readonly [number, number]>;
+    /** Rakes can be made, and none is being made. */
+    readonly canMake: ReadonlySignal<boolean>;
+    private readonly making = signal(false);
     private readonly options: BodyRakesOptions;
     private clicked: Vec3[] = [];
     private way: WayPoint[] = [];
@@ -38,8 +45,23 @@ export class BodyRakes implements PointerTool {
     constructor(options: BodyRakesOptions) {
         this.options = options;
         const { state, view, scene } = options;
-        this.off = computed(() => this.typedOff.value ?? usualOff(state.dataset.value));
+        const part = (of: number): number => Number((of * diagonalOf(state.dataset.value)).toPrecision(2));
+        this.off = computed(() => this.typedOff.value ?? part(usuallyOff));
+        this.offSpan = computed(() => [part(leastOff), part(1)]);
+        this.canMake = computed(() => !state.locked.value && !this.making.value);
         scene.pointerTools.add(this);
+        // What was drawn and typed is of one body.
+        const body = computed(() => {
+            const id = state.dataset.value?.dataset;
+            return `${id} ${gridOf(state.datasets.value.find(({ dataset }) => dataset === id)?.values)}`;
+        });
+        effect(() => {
+            void body.value;
+            untracked(() => {
+                this.typedOff.value = null;
+                this.putAway();
+            });
+        });
         // The tool is in the hand for as long as its settings are seen.
         effect(() => {
             if (view.chosenThing.value === newBodyRake) view.tool.value = 'bodyRake';
@@ -54,16 +76,15 @@ export class BodyRakes implements PointerTool {
             void this.off.value;
             this.show();
         });
-        addEventListener('keydown', (event) => {
-            if (view.tool.value !== 'bodyRake' || event.key !== 'Enter' || !this.canEnd) return;
-            event.preventDefault();
-            void this.end();
+        // A connection that is lost may come back.
+        effect(() => {
+            if (state.role.value === 'viewer' && view.tool.value === 'bodyRake') this.putAway();
         });
     }
 
     /** There are two points. */
     get canEnd(): boolean {
-        return this.options.view.bodyWay.value.clicked.length > 1;
+        return this.options.view.bodyWay.value.clicked.length > 1 && this.canMake.value;
     }
 
     click({ at }: Pointer): boolean {
@@ -79,6 +100,10 @@ export class BodyRakes implements PointerTool {
         const eye = scene.view().outside;
         const before = this.clicked.at(-1);
         if (before === undefined) {
+            if (!liesOn(body, hit.point, eye)) {
+                say('There is no body of this dataset here.');
+                return true;
+            }
             this.clicked = [hit.point];
             this.towards = minus(eye, hit.point);
             say('Click the next point.');
@@ -117,17 +142,24 @@ export class BodyRakes implements PointerTool {
         const middle = middleOf(state.dataset.value!);
         const isWall = patch.kind === 'wall';
         const way = outlineOf({ positions: body.positions, indices }, (at) => minus(isWall ? eye : middle, at), !isWall);
-        if (way === null) return 'The patch has no outline: it is closed.';
+        if (typeof way === 'string') return way;
         void this.make(way);
         return null;
     }
 
     private async make(way: readonly WayPoint[]): Promise<void> {
-        const { view, actions } = this.options;
+        if (!this.canMake.value) return;
         const off = this.off.value;
         const shape: RakeShape = { kind: 'polyline', points: simplified(standOff(way, off), exactness * off, mostPoints) };
-        view.tool.value = 'none';
-        await actions.newRake(shape);
+        this.making.value = true;
+        const isMade = await this.options.actions.newRake(shape);
+        this.making.value = false;
+        if (isMade) this.putAway();
+    }
+
+    private putAway(): void {
+        const { tool } = this.options.view;
+        if (tool.value === 'bodyRake') tool.value = 'none';
     }
 
     private shown(): Triangles | null {
@@ -147,10 +179,9 @@ export class BodyRakes implements PointerTool {
     }
 }
 
-function usualOff(dataset: DatasetDescription | null): number {
+function diagonalOf(dataset: DatasetDescription | null): number {
     const bounds = dataset?.bounds ?? [0, 0, 0, 0, 0, 0];
-    const diagonal = Math.hypot(...[0, 1, 2].map((k) => bounds[2 * k + 1]! - bounds[2 * k]!));
-    return Number((usuallyOff * diagonal).toPrecision(2));
+    return Math.hypot(...[0, 1, 2].map((k) => bounds[2 * k + 1]! - bounds[2 * k]!));
 }
 
 function middleOf({ bounds }: DatasetDescription): Vec3 {

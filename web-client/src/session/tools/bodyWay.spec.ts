@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { distance } from '../../scene/rake/rakeShape.ts';
-import { outlineOf, simplified, standOff, type Triangles, wayAlong } from './bodyWay.ts';
+import { liesOn, outlineOf, simplified, standOff, type Triangles, wayAlong, type WayPoint } from './bodyWay.ts';
 
 /** Corners of quads, each with vertices of its own. */
 function quads(...all: Vec3[][]): Triangles {
@@ -83,14 +83,30 @@ describe('a way along a body', () => {
         const kept = simplified(arc, 1e-3, 100);
         expect(kept.length).toBeLessThan(40);
         expect(kept.at(-1)).toEqual(arc.at(-1));
-        expect(simplified(arc, 1e-9, 10).length).toBeLessThanOrEqual(10);
+        for (const within of [1e-9, 0]) expect(simplified(arc, within, 10).length).toBeLessThanOrEqual(10);
+    });
+
+    it('begins where something of the body lies', () => {
+        expect([0.5, 0.4999, 0.4].map((x) => liesOn(box, [x, 0.4, 1], [2, 0.5, 9]))).toEqual([true, true, true]);
+        expect(liesOn(box, [0.5, 0.4, 1.1], [2, 0.5, 9])).toBe(false);
+        expect(liesOn({ ...box, indices: [] }, [0.5, 0.4, 1], [2, 0.5, 9])).toBe(false);
     });
 });
 
 describe('the outline of a patch', () => {
-    it('is closed, off the patch and into it', () => {
-        const { positions } = box;
-        const way = outlineOf({ positions, indices: Array.from(box.indices).slice(0, 6) }, () => [0, 0, 1], true)!;
+    const { positions } = box;
+    const found = (body: Triangles, inward = false): WayPoint[] => {
+        const way = outlineOf(body, () => [0, 0, 1], inward);
+        if (typeof way === 'string') throw new Error(way);
+        return way;
+    };
+
+    it.each([
+        ['alike', [0, 1, 2, 0, 2, 3]],
+        ['either way', [0, 1, 2, 0, 3, 2]],
+        ['either way, with corners of their own', [0, 1, 6, 0, 3, 2]],
+    ])('is closed, off the patch and into it, where triangles are turned %s', (_, indices) => {
+        const way = found({ positions, indices }, true);
         expect(way).toHaveLength(5);
         for (const [x, y, z] of standOff(way, 0.1)) {
             expect(z).toBeCloseTo(1.1, 12);
@@ -99,14 +115,24 @@ describe('the outline of a patch', () => {
         expect(way.every(({ point }, i) => i === 0 || distance(point, way[i - 1]!.point) === 1)).toBe(true);
     });
 
-    it('of what is closed there is none', () => {
-        const corners: Vec3[] = [
-            [0, 0, 0],
-            [1, 0, 0],
-            [0, 1, 0],
-            [0, 0, 1],
-        ];
-        const closed = { positions: corners.flat(), indices: [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3] };
-        expect(outlineOf(closed, () => [0, 0, 1], false)).toBeNull();
+    it('stands off a fold as far as off its sides, however sharp that is', () => {
+        const fold = { positions: [0, 0, 0, 1, 0, 0, 0.5, -1, -2, 0.5, 1, -2], indices: [0, 1, 2, 0, 1, 3] };
+        const way = outlineOf(fold, ([, y, z]) => [0, y, z === 0 ? 1 : 0], false) as WayPoint[];
+        expect(way).toHaveLength(5);
+        for (const { point, off } of way) if (point[2] === 0) expect(off[2]).toBeGreaterThan(0.8);
+    });
+
+    it('is the longer loop where two meet at a place', () => {
+        const bow = { positions: [0, 0, 0, 1, 1, 0, 1, -1, 0, -2, 2, 0, -2, -2, 0], indices: [0, 1, 2, 0, 3, 4] };
+        const xs = found(bow).map(({ point }) => point[0]);
+        expect([xs.length, Math.min(...xs), Math.max(...xs)]).toEqual([4, -2, 0]);
+    });
+
+    it('of what is closed there is none, nor where a border does not close', () => {
+        const closed = [0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3];
+        const corners = [0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.5, -1, -1];
+        const said = (indices: number[]): unknown => outlineOf({ positions: corners, indices }, () => [0, 0, 1], false);
+        expect(said(closed)).toBe('The patch has no outline: it is closed.');
+        expect(said([...closed, 0, 1, 4])).toBe('No closed outline was found.');
     });
 });

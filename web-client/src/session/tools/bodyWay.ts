@@ -1,7 +1,7 @@
 // A way along a body, from a place on it to another: where a plane through both cuts its triangles; and the border of a part of it. What is
 // found stands off the body by any distance. Triangles that meet have corners at the same places, not always the same ones.
 import type { Vec3 } from '../../protocol/messages.ts';
-import { cross, distance, dot, lengthOf, minus, plus, times, unit } from '../../scene/rake/rakeShape.ts';
+import { across, cross, distance, dot, lengthOf, minus, plus, times, unit } from '../../scene/rake/rakeShape.ts';
 
 export interface Triangles {
     positions: ArrayLike<number>;
@@ -33,6 +33,13 @@ const onBody = 1e-3;
 /** Corners that stand out more than this, as the cosine between the normals, are gone round. */
 const roundFrom = 0.5;
 
+/** Whether something of the body lies there, where it is seen from an eye. */
+export function liesOn(body: Triangles, at: Vec3, eye: Vec3): boolean {
+    const normal = across(unit(minus(eye, at)));
+    const found = nearest(cutsOf(body, normal, dot(normal, at)), at);
+    return found !== null && found.apart <= onBody * sizeOf(body);
+}
+
 /**
  * Returns the shorter of the ways, on the side that `towards` points to at its beginning; null where the body has none in the plane through both
  * and `third`.
@@ -42,8 +49,7 @@ export function wayAlong(body: Triangles, from: Vec3, to: Vec3, third: Vec3, tow
     if (lengthOf(across) === 0) return null;
     const cuts = cutsOf(body, across, dot(across, from));
     const [first, last] = [nearest(cuts, from), nearest(cuts, to)];
-    const size = sizeOf(body);
-    if (first === null || last === null || first.apart > onBody * size || last.apart > onBody * size) return null;
+    if (first === null || last === null || Math.max(first.apart, last.apart) > onBody * sizeOf(body)) return null;
     if (first.cut === last.cut) return wayOf([{ from, to, normal: first.cut.normal }], across, towards);
     const beside = new Map<string, Cut[]>();
     for (const cut of cuts) for (const edge of cut.edges) beside.set(edge, [...(beside.get(edge) ?? []), cut]);
@@ -59,62 +65,120 @@ export function standOff(way: readonly WayPoint[], far: number): Vec3[] {
 
 /** Returns the points without those that lie within so much of a line between others (Douglas and Peucker), and at most so many. */
 export function simplified(points: readonly Vec3[], within: number, most: number): Vec3[] {
-    for (let slack = within; ; slack *= 2) {
+    for (let slack = within; ; slack = Math.max(2 * slack, Number.EPSILON)) {
         const kept = kneesOf(points, slack);
         if (kept.length <= most) return kept;
     }
 }
 
 /**
- * Returns the longest border of some triangles, closed, on the side that `towards` points to at each place. @param inward it stands
- * off as far into the triangles, too, as it does off them
+ * Returns the longest border of some triangles, closed, on the side that `towards` points to at each place; says in words why there is none.
+ * The triangles may be turned either way. @param inward it stands off as far into the triangles, too, as it does off them
  */
-export function outlineOf({ positions, indices }: Triangles, towards: (at: Vec3) => Vec3, inward: boolean): WayPoint[] | null {
-    const names = new Map<string, number>();
-    const corner = (i: number): Vec3 => cornerOf(positions, indices[i]!);
-    const place = (i: number): number => {
-        const name = corner(i).join();
-        const known = names.get(name) ?? names.size;
-        names.set(name, known);
-        return known;
-    };
-    const edges = new Map<string, { from: number; to: number; a: Vec3; normal: Vec3; inside: Vec3 } | null>();
-    for (let t = 0; t + 2 < indices.length; t += 3) {
-        const normal = unit(normalOf(corner(t), corner(t + 1), corner(t + 2)));
-        if (lengthOf(normal) === 0) continue;
-        for (let k = 0; k < 3; ++k) {
-            const [i, j] = [t + k, t + ((k + 1) % 3)];
-            const [from, to] = [place(i), place(j)];
-            const key = from < to ? `${from} ${to}` : `${to} ${from}`;
-            const a = corner(i);
-            const inside = unit(cross(normal, minus(corner(j), a)));
-            edges.set(key, edges.has(key) ? null : { from, to, a, normal, inside });
-        }
-    }
-    const border = [...edges.values()].filter((each) => each !== null);
-    const next = new Map<number, typeof border>();
-    for (const each of border) next.set(each.from, [...(next.get(each.from) ?? []), each]);
-    let longest: typeof border = [];
-    let most = 0;
-    const taken = new Set<(typeof border)[number]>();
-    for (const first of border) {
-        const loop: typeof border = [];
-        for (let at: (typeof border)[number] | undefined = first; at !== undefined && !taken.has(at);) {
-            taken.add(at);
-            loop.push(at);
-            at = next.get(at.to)?.find((each) => !taken.has(each));
-        }
-        const length = loop.reduce((sum, each, i) => sum + distance(each.a, loop[(i + 1) % loop.length]!.a), 0);
-        if (loop.length > 2 && loop.at(-1)!.to === loop[0]!.from && length > most) [longest, most] = [loop, length];
-    }
-    if (longest.length === 0) return null;
-    const way = longest.map(({ a, normal, inside }, i): WayPoint => {
-        const before = longest.at(i - 1)!;
-        const side = dot(normal, towards(a)) < 0 ? -1 : 1;
-        const out = times(mitre(normal, before.normal), side);
-        return { point: a, off: inward ? plus(out, mitre(inside, before.inside)) : out };
+export function outlineOf(body: Triangles, towards: (at: Vec3) => Vec3, inward: boolean): WayPoint[] | string {
+    const border = borderOf(body);
+    if (border.length === 0) return 'The patch has no outline: it is closed.';
+    const loop = longestLoop(border);
+    if (loop.length === 0) return 'No closed outline was found.';
+    const normals = loop.map(({ a, b, inside }) => cross(unit(minus(b, a)), inside));
+    const way = loop.map(({ a, inside }, i): WayPoint => {
+        const side = dot(normals[i]!, towards(a)) < 0 ? -1 : 1;
+        const out = times(mitre(normals[i]!, normals.at(i - 1)!), side);
+        return { point: a, off: inward ? plus(out, mitre(inside, loop.at(i - 1)!.inside)) : out };
     });
     return [...way, way[0]!];
+}
+
+/** An edge of one triangle only: the numbers of its ends and where they are, and the direction into the triangle. */
+interface BorderEdge {
+    from: number;
+    to: number;
+    a: Vec3;
+    b: Vec3;
+    inside: Vec3;
+}
+
+function borderOf({ positions, indices }: Triangles): BorderEdge[] {
+    const places = placesOf({ positions, indices });
+    const corner = (i: number): Vec3 => cornerOf(positions, indices[i]!);
+    const next = (i: number): number => (i % 3 === 2 ? i - 2 : i + 1);
+    const none = -1;
+    const keys = new Float64Array(places.length).fill(none);
+    for (let t = 0; t + 2 < places.length; t += 3) {
+        const [p, q, r] = [places[t]!, places[t + 1]!, places[t + 2]!];
+        if (p === q || q === r || r === p || lengthOf(normalOf(corner(t), corner(t + 1), corner(t + 2))) === 0) continue;
+        for (let i = t; i < t + 3; ++i) {
+            const [from, to] = [places[i]!, places[next(i)]!];
+            keys[i] = Math.min(from, to) * places.length + Math.max(from, to);
+        }
+    }
+    const sorted = keys.slice().sort();
+    const single = new Set(sorted.filter((key, i) => key !== none && key !== sorted[i - 1] && key !== sorted[i + 1]));
+    const border: BorderEdge[] = [];
+    for (let i = 0; i < keys.length; ++i) {
+        if (!single.has(keys[i]!)) continue;
+        const [j, k] = [next(i), next(next(i))];
+        const [a, b] = [corner(i), corner(j)];
+        const inside = unit(cross(normalOf(a, b, corner(k)), minus(b, a)));
+        border.push({ from: places[i]!, to: places[j]!, a, b, inside });
+    }
+    return border;
+}
+
+/** Returns a number for each corner: the same where places are the same. */
+function placesOf({ positions, indices }: Triangles): Int32Array {
+    const bits = Math.ceil(Math.log2(2 * indices.length + 2));
+    const table = new Int32Array(2 ** bits).fill(-1);
+    const at = new Float32Array(3);
+    const words = new Int32Array(at.buffer);
+    const places = new Int32Array(indices.length);
+    for (let i = 0; i < places.length; ++i) {
+        const v = 3 * indices[i]!;
+        let hash = 0;
+        for (let k = 0; k < 3; ++k) {
+            at[k] = positions[v + k]! + 0; // -0 is where 0 is
+            hash = Math.imul(hash ^ words[k]!, 0x9e3779b1);
+            hash ^= hash >>> 15;
+        }
+        let slot = Math.imul(hash, 0x9e3779b1) >>> (32 - bits);
+        for (; table[slot]! >= 0; slot = (slot + 1) % table.length) {
+            const w = 3 * indices[table[slot]!]!;
+            const isSame =
+                positions[v] === positions[w] && positions[v + 1] === positions[w + 1] && positions[v + 2] === positions[w + 2];
+            if (isSame) break;
+        }
+        if (table[slot]! < 0) table[slot] = i;
+        places[i] = table[slot]!;
+    }
+    return places;
+}
+
+/** Returns the edges in order, each from where the last one ends. Empty: nowhere do they close. */
+function longestLoop(border: readonly BorderEdge[]): BorderEdge[] {
+    const beside = new Map<number, BorderEdge[]>();
+    const besideOf = (place: number): BorderEdge[] => beside.get(place) ?? beside.set(place, []).get(place)!;
+    for (const edge of border) for (const place of [edge.from, edge.to]) besideOf(place).push(edge);
+    const left = new Set(border);
+    let [longest, most]: [BorderEdge[], number] = [[], 0];
+    for (const { from: first } of border) {
+        const path: BorderEdge[] = [];
+        // Where on the path its places are.
+        const met = new Map<number, number>();
+        const leaving = (place: number): BorderEdge | undefined => besideOf(place).find((each) => left.has(each));
+        for (let [at, edge] = [first, leaving(first)]; edge !== undefined; edge = leaving(at)) {
+            left.delete(edge);
+            met.set(at, path.length);
+            path.push(edge.from === at ? edge : { ...edge, from: edge.to, to: edge.from, a: edge.b, b: edge.a });
+            at = path.at(-1)!.to;
+            const back = met.get(at);
+            if (back === undefined) continue;
+            const loop = path.splice(back);
+            for (const { from } of loop) met.delete(from);
+            const length = loop.reduce((sum, { a, b }) => sum + distance(a, b), 0);
+            if (length > most) [longest, most] = [loop, length];
+        }
+    }
+    return longest;
 }
 
 function cutsOf({ positions, indices }: Triangles, across: Vec3, at: number): Cut[] {

@@ -16,6 +16,13 @@ export function isTyping(event: KeyboardEvent): boolean {
     return at instanceof Element && at.closest(fields) !== null;
 }
 
+/** Arrows and Enter belong to what has the focus; the picture, and the page where nothing has it, leave them to the
+ *  camera and to the tools. */
+export function isFree(event: KeyboardEvent): boolean {
+    const [at] = event.composedPath();
+    return at instanceof HTMLCanvasElement || at === document.body;
+}
+
 /** @param pressed told of each that is not on a notice, before anything else hears of it */
 export function listenForPresses(gestures: Gestures, pressed: () => void): void {
     // Before the control hears of it.

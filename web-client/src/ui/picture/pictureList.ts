@@ -186,7 +186,7 @@ export class PictureList extends ModelElement<PictureListModel> {
             >
                 ${words}
             </button>`;
-        const fresh = (action: () => Promise<void>) => (): void => {
+        const fresh = (action: () => Promise<unknown>) => (): void => {
             view.chosenThing.value = null;
             void action();
         };

@@ -40,15 +40,13 @@ export class BodyRakePanel extends ModelElement<BodyRakesModel> {
         if (dataset === null) return html``;
         const { clicked } = view.bodyWay.value;
         const off = bodyRakes.off.value;
+        const [least, most] = bodyRakes.offSpan.value;
         const said =
             clicked.length === 0 ? 'Click points on a body, one after the other.' : `${clicked.length} of its points are set.`;
         return html`
             ${numberRow('Off the body by', {
-                ...{ id: 'body-rake-off', shown: fieldNumber(off, resolutionOf(0, off)) },
-                change: (value) => {
-                    if (value > 0) bodyRakes.typedOff.value = value;
-                    return value > 0;
-                },
+                ...{ id: 'body-rake-off', min: least, max: most, shown: fieldNumber(off, resolutionOf(0, off)) },
+                change: (value) => void (bodyRakes.typedOff.value = value),
             })}
             <p class="quiet" role="status" id="body-rake-told">${said}</p>
             <div class="buttons">
@@ -69,7 +67,7 @@ export class BodyRakePanel extends ModelElement<BodyRakesModel> {
                 this.refused.value = '';
             })}
             <div class="buttons">
-                <button type="button" id="body-rake-outline" @click=${() => (this.refused.value = this.model.bodyRakes.outline(chosen) ?? '')}>
+                <button type="button" id="body-rake-outline" ?disabled=${!this.model.bodyRakes.canMake.value} @click=${() => (this.refused.value = this.model.bodyRakes.outline(chosen) ?? '')}>
                     Rake along its outline
                 </button>
             </div>

@@ -14,7 +14,7 @@ import { checkRow, selectRow, sliderRow, vectorFields } from '../base/rows.ts';
 import { otherTimeRow } from '../base/otherTimeRow.ts';
 import { lateRow } from '../base/lateRow.ts';
 import { ModelElement } from '../base/signalElement.ts';
-import { fieldWords } from '../../session/picture/surfaceOwner.ts';
+import { fieldWords, isVelocityAcross, velocityAcross } from '../../session/picture/surfaceOwner.ts';
 
 /** Loaded with the panel, after the first picture. */
 export { Slices };
@@ -28,9 +28,6 @@ export interface SlicesModel {
 }
 
 type Bounds = readonly [number, number, number, number, number, number];
-
-/** The velocity along the normal of the plane. */
-const across = 'velocity_normal';
 
 const axes: readonly (readonly [string, Vec3])[] = [
     ['x', [1, 0, 0]],
@@ -111,7 +108,7 @@ export class SlicesPanel extends ModelElement<SlicesModel> {
         const { origin, normal, field } = place;
         const look = view.slices.value;
         const longest = slices.arrows.longest.value.get(id);
-        const names = [...levelFields(dataset), across];
+        const names = [...new Set([...levelFields(dataset), velocityAcross])];
         const choices = (names.includes(field) ? names : [field, ...names]).map((name) => ({
             value: name,
             words: fieldWords(name, dataset),
@@ -240,15 +237,15 @@ function middleOf(bounds: Bounds): Vec3 {
 function numberWords(
     { area, mean }: { area: number; mean: number },
     { normal, field, minus }: SlicePlace,
-    { fields, velocity }: DatasetDescription,
+    dataset: DatasetDescription,
     { length, time }: Units,
 ): string {
     const short = (value: number): string => shortNumber(Number(value.toPrecision(3)));
     const axis = axes.findIndex(([name]) => field === `velocity_${name}`);
-    const isOfVelocity = axis >= 0 || field === across;
-    const unit = fields.find(({ name }) => name === (isOfVelocity ? velocity : field))?.unit ?? '';
+    const isNormal = isVelocityAcross(field, dataset);
+    const unit = dataset.fields.find(({ name }) => name === (axis >= 0 || isNormal ? dataset.velocity : field))?.unit ?? '';
     const said = `Mean ${withUnit(short(mean), unit)} over ${withUnit(short(area), length === '' ? '' : `${length}²`)}.`;
-    const isAcross = field === across || (axis >= 0 && Math.abs(dot(unitOf(normal), axes[axis]![1])) > 1 - 1e-12);
+    const isAcross = isNormal || (axis >= 0 && Math.abs(dot(unitOf(normal), axes[axis]![1])) > 1 - 1e-12);
     if (!isAcross || minus !== null) return said;
     const rate = unit !== '' && unit === `${length}/${time}` ? `${length}³/${time}` : '';
     return `${said} ${withUnit(short(mean * area), rate)} flow through it in the direction of ${axis < 0 ? 'its normal' : axes[axis]![0]}.`;

@@ -3,7 +3,7 @@ import type { CameraControls } from '../../scene/camera/cameraControls.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { People } from '../../session/people/people.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { isTyping } from '../base/keyboard.ts';
+import { isFree, isTyping } from '../base/keyboard.ts';
 import { togglePanel, turnFullScreen } from './room.ts';
 
 export interface ViewKeysModel {
@@ -28,13 +28,6 @@ export function listenForViewKeys({ view, scene, people }: ViewKeysModel): void 
             scene.loop.request();
         }
     });
-}
-
-/** Arrows belong to what has the focus; the picture, and the page where nothing has it, leave them to the
- *  camera. */
-function isFree(event: KeyboardEvent): boolean {
-    const [at] = event.composedPath();
-    return at instanceof HTMLCanvasElement || at === document.body;
 }
 
 const turnStep = (5 * Math.PI) / 180;
