@@ -153,6 +153,12 @@ export class AppState {
     /** Belongs to the newest edit that is on the screen. */
     readonly latency = signal<LatencySample | null>(null);
 
+    private readonly wantedText = computed(() => {
+        const records = [this.surfaces, this.slices, this.lines].flatMap(({ value }) => [...value.values()]);
+        return JSON.stringify([...new Set(records.map(({ dataset }) => dataset))].sort());
+    });
+    /** All of which the session has something: another set only when that changes, not with every edit. */
+    readonly wantedDatasets = computed((): ReadonlySet<string> => new Set(JSON.parse(this.wantedText.value) as string[]));
     readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));
     readonly rake = computed(() => this.rakes.value.get(this.activeRake.value ?? ''));
     readonly phase = computed((): SurfacePhase => {
