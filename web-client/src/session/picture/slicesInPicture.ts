@@ -39,8 +39,8 @@ export interface SlicesOptions {
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'gestures' | 'history'>;
-    /** Returns the time of the picture; no number where nothing has one. */
-    time: () => number;
+    /** Returns the time of the picture in some data; no number where nothing has one. */
+    time: (dataset: string) => number;
 }
 
 /** What of a slice can be edited. */
@@ -213,7 +213,7 @@ export class Slices {
             const description = state.described(dataset);
             // Beside its data: the edit is about to be refused, in words.
             if (description === null || !shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
-            const time = dataTime(description, this.options.time());
+            const time = dataTime(description, this.options.time(dataset));
             const less = minus === null ? {} : { minus: minusWish(minus, dataset, time, (other) => this.nameOf(other)) };
             const wish = { dataset, origin, normal, field, time, ...less };
             this.values.want(id, wish);
