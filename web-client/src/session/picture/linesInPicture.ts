@@ -92,6 +92,10 @@ export class Lines {
         onOtherData(state, () => this.values.again());
     }
 
+    like(chosen: string | null): LinesPlace | undefined {
+        return this.drafts.like(chosen);
+    }
+
     add(place: LinesPlace): Promise<string | null> {
         return this.drafts.add(place);
     }

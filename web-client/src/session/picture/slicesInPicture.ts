@@ -129,11 +129,10 @@ export class Slices {
         });
     }
 
-    /** Adds a slice through a point, of the field of the chosen one, and chooses it. */
+    /** Adds a slice through a point, of the field of the chosen one if its data are worked on, and chooses it. */
     async add(origin: Vec3, normal: Vec3): Promise<void> {
         const { view } = this.options;
-        const before = this.places.value.get(view.chosenThing.value ?? '') ?? [...this.places.value.values()][0];
-        const field = before?.field ?? this.options.state.dataset.value?.velocity ?? '';
+        const field = this.drafts.like(view.chosenThing.value)?.field ?? this.options.state.dataset.value?.velocity ?? '';
         const made = await this.drafts.add({ origin, normal, field, minus: null });
         if (made !== null) view.chosenThing.value = made;
     }
