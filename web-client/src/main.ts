@@ -169,11 +169,14 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
     const playback = new Playback({ state, edits, clock });
     const bodyFields = new BodyFields({
         ...{ state, view, scene, worker, server },
-        time: () => playback.time.value,
+        time: () => playback.timeOf(state.dataset.value?.dataset ?? ''),
         moves: () => playback.mode.value === 'clock',
     });
     const colours = new FieldColours();
-    const inPicture = { state, view, scene, colours, server, worker, edits, time: () => playback.time.value };
+    const inPicture = {
+        ...{ state, view, scene, colours, server, worker, edits },
+        time: (dataset: string) => playback.timeOf(dataset),
+    };
     const [slices, lines] = [loadSlices(inPicture), loadLines(inPicture)];
     const bodyRakes = loadBodyRakes({ state, view, scene, actions: edits.actions });
     const slicePlane = (id: string): SlicePlane | undefined => (slices.model.value?.slices.places ?? state.slices).value.get(id);

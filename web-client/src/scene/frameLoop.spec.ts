@@ -195,6 +195,22 @@ describe('the resolution while things move', () => {
         expect(resolution.ratio).toBe(1);
     });
 
+    it('seldom tries to draw all again where less is quick and all is not, and does so once that is quick', () => {
+        const resolution = new MovingResolution(1, 1);
+        let changes = 0;
+        const draw = (pictures: number, allMs: number): void => {
+            for (let i = 0; i < pictures; ++i) {
+                const before = resolution.sparing;
+                resolution.drawn(before ? 30 : allMs);
+                if (resolution.sparing !== before) ++changes;
+            }
+        };
+        draw(1000, 2 * sparingMs);
+        expect(changes).toBeLessThan(16);
+        draw(1100, 30);
+        expect(resolution.sparing).toBe(false);
+    });
+
     it('draws less where the fewest pixels take too long, until they take half as long, and not to and fro between', () => {
         const resolution = new MovingResolution(1, 1);
         const sparing = (ms: number, count = 12): boolean => {

@@ -128,7 +128,9 @@ const shortMs = 0.4 * limitMs;
 /** A single late picture says nothing. */
 const slowPictures = 3;
 const quickPictures = 8;
-/** Where pictures of the fewest pixels take longer, less is drawn; until they take less than half as long. */
+/** About a minute of them. */
+const longestTrial = 1024;
+/** Where pictures of the fewest pixels take longer, less is drawn; until they take less than half as long, and that lasts. */
 export const sparingMs = 100;
 
 /**
@@ -143,6 +145,10 @@ export class MovingResolution {
     private step: number;
     private took: number[] = [];
     private isSparing = false;
+    /** Pictures since that became so, or ended. */
+    private since = Number.POSITIVE_INFINITY;
+    /** So many before it ends: twice as many each time that all was too much at once. */
+    private trial = quickPictures;
 
     /** @param full ratio of a picture that stands still @param first ratio to begin with, until there are
      *  measurements */
@@ -164,12 +170,15 @@ export class MovingResolution {
     /** A picture of this resolution was on the screen so many milliseconds after it was begun. */
     drawn(ms: number): void {
         this.took.push(ms);
+        ++this.since;
         const slow = this.took.length >= slowPictures ? median(this.took.slice(-slowPictures)) : 0;
         if (slow > limitMs && this.step < this.lastStep) this.goTo(this.step + 1);
-        else if (slow > sparingMs && !this.isSparing) this.spare(true);
-        else if (this.took.length >= quickPictures) {
+        else if (slow > sparingMs && !this.isSparing) {
+            this.trial = this.since <= quickPictures ? Math.min(2 * this.trial, longestTrial) : quickPictures;
+            this.spare(true);
+        } else if (this.took.length >= quickPictures) {
             const usual = median(this.took);
-            if (this.isSparing && usual < sparingMs / 2) this.spare(false);
+            if (this.isSparing && usual < sparingMs / 2 && this.since >= this.trial) this.spare(false);
             else if (!this.isSparing && usual < shortMs) this.goTo(this.step - 1);
             else this.took.shift();
         }
@@ -177,6 +186,7 @@ export class MovingResolution {
 
     private spare(on: boolean): void {
         this.isSparing = on;
+        this.since = 0;
         this.took = [];
     }
 

@@ -3,7 +3,7 @@
 import { batch, computed, effect } from '@preact/signals-core';
 import { type DatasetDescription, type DatasetEntry, errorWords, type HeldChange } from '../protocol/messages.ts';
 import type { FlowScene } from '../scene/scene.ts';
-import type { AppState } from '../state/appState.ts';
+import { type AppState, withEntry } from '../state/appState.ts';
 import { showsBeyondBody } from '../state/bodyPatches.ts';
 import type { ViewState } from '../state/viewState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
@@ -70,38 +70,56 @@ export class OpenDataset {
     }
 
     async describe(dataset: string): Promise<void> {
-        const { worker, state, scene } = this.options;
-        const known = state.dataset.value;
+        const { worker, state } = this.options;
         const values = state.datasetEntry.value?.values;
         const description = await worker.call('dataset.describe', { dataset });
-        state.dataset.value = description;
-        void this.stepsHeld.load(dataset);
+        if (state.datasetEntry.value?.dataset !== dataset) {
+            // Another is worked on since.
+            const { otherDatasets } = state;
+            if (otherDatasets.value.has(dataset)) otherDatasets.value = withEntry(otherDatasets.value, dataset, description);
+            return;
+        }
         const before = this.values;
-        this.values = values;
+        const another = this.workOn(description, values);
         if (!sameValues(before, values)) state.suggestion.value = null;
-        if (known?.dataset === dataset && gridOf(before) === gridOf(values)) return;
-        scene.setDomain(description.bounds);
-        if (known !== null) scene.body.remove();
-        void this.loadObstacle(description);
+        if (another || gridOf(before) !== gridOf(values)) this.draw(description, state.otherDatasets.value.size > 0);
     }
 
     /** Works on another dataset of the picture from now on; the camera stays. */
     turnTo(description: DatasetDescription): void {
-        const { state, scene } = this.options;
+        const { datasets, datasetEntry } = this.options.state;
+        batch(() => {
+            datasetEntry.value = datasets.value.find((each) => each.dataset === description.dataset) ?? null;
+            this.workOn(description, datasetEntry.value?.values);
+        });
+        this.draw(description, true);
+    }
+
+    /** Returns whether it is another than before, which stays in the picture if the session has something of it. */
+    private workOn(description: DatasetDescription, values: string | undefined): boolean {
+        const { state } = this.options;
         const { dataset } = description;
         const before = state.dataset.value;
-        const entry = state.datasets.value.find((each) => each.dataset === dataset) ?? null;
+        const another = before?.dataset !== dataset;
+        const others = new Map(state.otherDatasets.value);
+        const stays = before !== null && another && state.wantedDatasets.value.has(before.dataset);
+        if (stays) others.set(before.dataset, before);
+        const changed = others.delete(dataset) || stays;
         batch(() => {
-            const others = new Map(state.otherDatasets.value);
-            others.delete(dataset);
-            if (before !== null) others.set(before.dataset, before);
-            state.otherDatasets.value = others;
+            if (changed) state.otherDatasets.value = others;
             state.dataset.value = description;
-            state.datasetEntry.value = entry;
         });
-        this.values = entry?.values;
+        this.values = values;
         void this.stepsHeld.load(dataset);
-        scene.setDomain(description.bounds, true);
+        return another;
+    }
+
+    /** @param stays the camera is left where it is */
+    private draw(description: DatasetDescription, stays: boolean): void {
+        const { scene } = this.options;
+        scene.setDomain(description.bounds, stays);
+        // With the values of another, which must not be painted on this one.
+        scene.body.remove();
         void this.loadObstacle(description);
     }
 
@@ -112,10 +130,10 @@ export class OpenDataset {
         try {
             const geometry = await this.options.bodies.of(description, allPatches);
             const stillShown = this.options.state.dataset.value?.dataset === dataset;
-            if (geometry !== null && stillShown && allPatches === this.allPatches.peek()) {
-                this.options.state.allPatchesShown.value = allPatches;
-                this.options.scene.body.set(geometry);
-            }
+            if (!stillShown || allPatches !== this.allPatches.peek()) return;
+            if (geometry === null) return this.options.scene.body.remove();
+            this.options.state.allPatchesShown.value = allPatches;
+            this.options.scene.body.set(geometry);
         } catch (error) {
             this.options.state.notices.tell('body', error);
         }

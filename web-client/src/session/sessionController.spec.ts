@@ -24,6 +24,7 @@ class Bench {
     subscribed: string[] = [];
     /** Imports that the page has begun to wait for, and whether its user has stopped that. */
     begun: string[] = [];
+    described: string[] = [];
     left = signal(false);
     entry: Partial<DatasetEntry> = { state: 'ready' };
     records: SessionSnapshot = emptySnapshot('session-1');
@@ -94,7 +95,8 @@ class Bench {
         if (method === 'server.info') return { apiLevel, capabilities: [] };
         if (method === 'dataset.list') return { datasets: [{ dataset: 'flow', name: 'flow', ...this.entry }] };
         if (method === 'dataset.describe') {
-            return datasetOf();
+            this.described.push(String(params['dataset']));
+            return datasetOf({ dataset: String(params['dataset']) });
         }
         if (method === 'dataset.suggest') return suggestionOf();
         if (method === 'session.create') {
@@ -286,6 +288,15 @@ describe('a visit', () => {
         await bench.connect();
         expect(bench.state.dataset.value?.dataset).toBe('flow');
         expect(bench.state.notices.all.value.get('dataset')).toBeUndefined();
+    });
+
+    it('goes on with the dataset that was worked on when the connection is there again', async () => {
+        const bench = new Bench();
+        bench.records.surfaces = [surfaceOf('s2')];
+        await bench.connect();
+        bench.records.surfaces = [surfaceOf('s1', { dataset: 'another flow' }), surfaceOf('s2')];
+        await bench.connect();
+        expect([bench.state.stage.value, bench.described]).toEqual(['running', ['flow', 'flow']]);
     });
 
     it('puts a first rake and surface into a session that no one has edited, and only there', async () => {

@@ -265,8 +265,11 @@ export class SessionController {
         }: Pick<SessionSnapshot, 'surfaces' | 'slices' | 'lines'>): string | undefined =>
             [surfaces, slices, lines].flat()[0]?.dataset;
         const linked = url.dataset ?? (url.state === null ? undefined : firstOf(url.state)) ?? null;
-        const there = [snapshot.surfaces, snapshot.slices, snapshot.lines].flat().some(({ dataset }) => dataset === url.dataset);
-        return (there ? url.dataset : firstOf(snapshot)) ?? state.dataset.value?.dataset ?? linked;
+        const records = [snapshot.surfaces, snapshot.slices, snapshot.lines].flat();
+        const worked = state.dataset.value?.dataset;
+        // After an interruption the one that is worked on, though the session may have more.
+        const there = [worked, url.dataset].find((id) => records.some(({ dataset }) => dataset === id));
+        return there ?? firstOf(snapshot) ?? worked ?? linked;
     }
 
     /** The address asks for a dataset, and the session shows another. */

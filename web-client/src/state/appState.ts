@@ -153,6 +153,12 @@ export class AppState {
     /** Belongs to the newest edit that is on the screen. */
     readonly latency = signal<LatencySample | null>(null);
 
+    private readonly wantedText = computed(() => {
+        const records = [this.surfaces, this.slices, this.lines].flatMap(({ value }) => [...value.values()]);
+        return JSON.stringify([...new Set(records.map(({ dataset }) => dataset))].sort());
+    });
+    /** All of which the session has something: another set only when that changes, not with every edit. */
+    readonly wantedDatasets = computed((): ReadonlySet<string> => new Set(JSON.parse(this.wantedText.value) as string[]));
     readonly surface = computed(() => this.surfaces.value.get(this.activeSurface.value ?? ''));
     readonly rake = computed(() => this.rakes.value.get(this.activeRake.value ?? ''));
     readonly phase = computed((): SurfacePhase => {
@@ -169,21 +175,32 @@ export class AppState {
         });
     });
     /** Times of the time-steps that can be used now: all of them once the import has finished. */
-    readonly times = computed(() => {
-        const times = this.dataset.value?.times ?? [];
-        const ready = this.datasetEntry.value?.steps?.ready ?? times.length;
-        return times.slice(0, Math.max(1, ready));
-    });
+    readonly times = computed(() => usableTimes(this.dataset.value, this.datasetEntry.value));
     readonly speedRange = computed(() => speedRangeOf(this.dataset.value));
     /** Of all data in the picture. */
     readonly pictured = computed((): readonly DatasetDescription[] =>
         this.dataset.value === null ? [] : [this.dataset.value, ...this.otherDatasets.value.values()],
     );
 
+    /** Of the selected surface, which need not be the one that is worked on; null: it is not known. */
+    readonly surfaceDataset = computed(() =>
+        this.surface.value === undefined ? this.dataset.value : this.described(this.surface.value.dataset),
+    );
+    readonly surfaceTimes = computed(() => {
+        const dataset = this.surfaceDataset.value;
+        if (dataset === this.dataset.value) return this.times.value;
+        return usableTimes(dataset, this.datasets.value.find((each) => each.dataset === dataset?.dataset) ?? null);
+    });
+
     /** Null: it is not known. */
     described(dataset: string): DatasetDescription | null {
         return this.pictured.value.find((each) => each.dataset === dataset) ?? null;
     }
+}
+
+function usableTimes(dataset: DatasetDescription | null, entry: DatasetEntry | null): readonly number[] {
+    const times = dataset?.times ?? [];
+    return times.slice(0, Math.max(1, entry?.steps?.ready ?? times.length));
 }
 
 /** The range of the speed over the whole dataset: colours mean the same at all times. */

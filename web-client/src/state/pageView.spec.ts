@@ -120,7 +120,7 @@ describe('clip planes', () => {
     it('come back from JSON, and from garbage as none', () => {
         const clip: ClipPlanes = { planes: [plane, noClip.planes[1], plane], slice: { id: 'p1', flipped: true }, body: true };
         expect(decodeClip(JSON.parse(JSON.stringify(clip)))).toEqual(clip);
-        for (const garbage of [null, 3, {}, { planes: 'x' }, { planes: [{ on: 1, at: 2 }, null], slice: { id: 3 } }]) {
+        for (const garbage of [null, 3, {}, { planes: 'x' }, { planes: [{ on: 1, at: '2' }, null], slice: { id: 3 } }]) {
             expect(decodeClip(garbage)).toEqual(noClip);
         }
     });

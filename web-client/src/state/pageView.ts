@@ -178,7 +178,7 @@ export function decodeVisibility(value: unknown): Visibility {
 
 export interface ClipPlane {
     on: boolean;
-    /** Where it crosses its axis, 0 .. 1 of the domain. */
+    /** Where it crosses its axis, as a part of the domain: 0 .. 1, beyond that where other data reach further. */
     at: number;
     /** Places the plane: what lies beyond it is cut away; flipped, what lies before it. */
     flipped: boolean;
@@ -222,7 +222,7 @@ export function renamedClip(clip: ClipPlanes, names: ReadonlyMap<string, string>
 function planeOf(value: unknown): ClipPlane {
     if (typeof value !== 'object' || value === null) return usualPlane;
     const { on, at, flipped } = value as Record<string, unknown>;
-    const place = typeof at === 'number' && at >= 0 && at <= 1 ? at : usualPlane.at;
+    const place = typeof at === 'number' && Number.isFinite(at) ? at : usualPlane.at;
     return { on: on === true, at: place, flipped: flipped === true };
 }
 

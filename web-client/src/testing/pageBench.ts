@@ -153,6 +153,7 @@ export class Bench {
         const options = { state: this.state, worker, latency: new LatencyLog(), requestFrame: () => undefined };
         this.edits = new Edits({ ...options, dragging: () => this.held });
         this.state.capabilities.value = ['lease'];
+        this.state.dataset.value = datasetOf({ bounds: [-1e3, 1e3, -1e3, 1e3, -1e3, 1e3] });
         this.records([rakeOf('r1'), rakeOf('r2')], [surfaceOf('s1', { rake: 'r1' }), surfaceOf('s2', { rake: 'r2' })]);
     }
 

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { circleOf, circleShape } from '../../scene/rake/rakeShape.ts';
 import { settled } from '../../testing/fakes.ts';
 import { Bench, type Call } from '../../testing/pageBench.ts';
 import { datasetOf, rakeOf, suggestionOf, surfaceOf } from '../../testing/records.ts';
@@ -7,6 +8,21 @@ import { numberProblems } from './rakeEdits.ts';
 
 const leased = new CallError({ kind: 'rpc', code: -32011, message: 'rake r1 is being dragged by Ann', hint: 'force' });
 const lost = new CallError({ kind: 'disconnected', code: 0, message: 'gone', hint: '' });
+
+describe('a circle', () => {
+    it('is kept in the data of its surface, whichever are worked on, and left alone while these are not known', () => {
+        const bench = new Bench();
+        const middle = (x: number): unknown => {
+            const circle = circleShape({ centre: [x, 0.5, 0.5], radius: 0.25, u: [1, 0, 0], v: [0, 1, 0] });
+            bench.edits.changeRake('r1', { shape: circle });
+            return circleOf(bench.state.rakeShape.value).centre[0];
+        };
+        bench.state.dataset.value = datasetOf({ dataset: 'other', bounds: [0, 1, 0, 1, 0, 1] });
+        expect(middle(9)).toBeCloseTo(9);
+        bench.state.otherDatasets.value = new Map([['flow', datasetOf({ bounds: [0, 5, 0, 5, 0, 5] })]]);
+        expect(middle(9)).toBeCloseTo(4.75);
+    });
+});
 
 describe('a drag on its way to the server', () => {
     it('is one edit a frame at most, the newest, with no more than four unanswered', async () => {

@@ -3,6 +3,7 @@
 import { signal } from '@preact/signals-core';
 import { EditWindow } from '../../connection/editWindow.ts';
 import type { RakeRecord, SurfaceEpoch } from '../../protocol/messages.ts';
+import { boundsRound } from '../../scene/domain/domainAxes.ts';
 import type { RakeMove } from '../../scene/rake/rakeInteraction.ts';
 import { fitted, type RakeShape } from '../../scene/rake/rakeShape.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -82,7 +83,7 @@ export class RakeEdits {
         if (rake === null) return;
         const gesture = this.drag?.rake === rake ? this.drag.gesture : this.options.gestures.begin();
         this.drag = dragging ? { rake, gesture } : null;
-        const fitted = dragging ? shape : this.inDomain(shape);
+        const fitted = dragging ? shape : this.inDomain(rake, shape);
         // The numbers in the panel need not follow every frame: drawing text costs as much as the surface.
         if (!dragging || movedAt - this.numbersShownAt > numbersEveryMs) {
             this.numbersShownAt = movedAt;
@@ -93,7 +94,7 @@ export class RakeEdits {
 
     change(rake: string, change: RakeChange): void {
         const editedAt = performance.now();
-        const fitted = change.shape === undefined ? change : { ...change, shape: this.inDomain(change.shape) };
+        const fitted = change.shape === undefined ? change : { ...change, shape: this.inDomain(rake, change.shape) };
         if (rake === this.options.state.activeRake.value) {
             if (fitted.shape !== undefined) this.options.state.rakeShape.value = fitted.shape;
             if (fitted.seeds !== undefined) this.seeds.value = fitted.seeds;
@@ -196,9 +197,13 @@ export class RakeEdits {
         }
     }
 
-    private inDomain(shape: RakeShape): RakeShape {
-        const bounds = this.options.state.dataset.value?.bounds;
-        return bounds === undefined ? shape : fitted(shape, bounds);
+    /** In the data of its surfaces, which need not be those that are worked on; as it is where they are not known. */
+    private inDomain(rake: string, shape: RakeShape): RakeShape {
+        const { dataset, surfaces } = this.options.state;
+        const own = [...surfaces.value.values()].filter((each) => each.rake === rake);
+        const data = own.length === 0 ? [dataset.value] : own.map((each) => this.options.state.described(each.dataset));
+        const bounds = data.flatMap((each) => (each === null ? [] : [each.bounds]));
+        return bounds.length < data.length ? shape : fitted(shape, boundsRound(bounds));
     }
 
     private get leases(): boolean {

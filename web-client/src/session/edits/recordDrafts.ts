@@ -38,6 +38,13 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
         });
     }
 
+    /** What one that is added may be like: the chosen one, or the first, of the data that are worked on. */
+    like(chosen: string | null): P | undefined {
+        const { state, records } = this.options;
+        const own = [...this.places.value].filter(([id]) => records.value.get(id)?.dataset === state.dataset.value?.dataset);
+        return (own.find(([id]) => id === chosen) ?? own[0])?.[1];
+    }
+
     /** Null: it was refused, and why is on the screen. */
     async add(place: P): Promise<string | null> {
         const { state, edits, noun, set } = this.options;

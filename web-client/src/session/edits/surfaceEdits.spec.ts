@@ -65,6 +65,18 @@ describe('a change of a surface that cannot be as it is', () => {
         expect(made.edits.remark.value).toBeNull();
     });
 
+    it('goes by the data of the surface, whichever are worked on, and waits until these are known', () => {
+        const made = bench();
+        const own = made.state.dataset.value!;
+        made.state.dataset.value = datasetOf({ dataset: 'other', times: [10, 20] });
+        made.edits.changeSurface({ kind: 'path' });
+        expect(made.edits.remark.value).toContain('are not known');
+        made.state.otherDatasets.value = new Map([['flow', own]]);
+        made.edits.changeSurface({ kind: 'path' });
+        made.edits.flush();
+        expect(made.calls.map(([, { from, to }]) => [from, to])).toEqual([[0, 4]]);
+    });
+
     it('is not applied where the data have one time-step only: the controls stay at the record', () => {
         const made = bench([0]);
         made.edits.changeSurface({ kind: 'path' });

@@ -70,11 +70,15 @@ export class SurfaceEdits {
         const record = state.surface.value;
         const before = this.intent.value;
         if (record === undefined || before === null) return;
-        const dataset = state.dataset.value;
-        const steady = dataset?.steady ?? false;
-        const times = state.times.value;
+        const dataset = state.surfaceDataset.value;
+        if (dataset === null) {
+            this.remark.value = 'Not applied: the data of this surface are not known.';
+            return;
+        }
+        const { steady, bounds } = dataset;
+        const times = state.surfaceTimes.value;
         const { intent: possible, remark: note } = adapted({ ...before, ...change }, change.from !== undefined, times, steady);
-        const intent = dataset === null ? possible : withSecondCurve(possible, dataset.bounds, state.rakePoints.value);
+        const intent = withSecondCurve(possible, bounds, state.rakePoints.value);
         const setting = settingOf(intent, record, times, steady);
         if (setting === null) {
             this.remark.value = `Not applied: the data have no time to follow a ${intent.kind} surface in.`;

@@ -23,7 +23,9 @@ export class Bodies {
         const mesh = this.worker.obstacle(dataset, lattice, allPatches);
         this.known.set(dataset, { key, mesh });
         // What could not be had may be there the next time.
-        mesh.catch(() => this.known.delete(dataset));
+        mesh.catch(() => {
+            if (this.known.get(dataset)?.mesh === mesh) this.known.delete(dataset);
+        });
         return mesh;
     }
 }

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { LinesRecord } from '../../protocol/messages.ts';
 import { linesFileOf } from '../../protocol/testing/linesFile.ts';
 import { PageBench } from '../../testing/pageBench.ts';
+import { datasetOf } from '../../testing/records.ts';
 import { rested } from '../../testing/shownPanel.ts';
 import { FieldColours } from './fieldColours.ts';
 import { Lines } from './linesInPicture.ts';
@@ -54,6 +55,19 @@ describe('a set of streamlines', () => {
         expect(lines.told.value.get('l1')).toBe('1 line. 8 of 9 seeds lie outside of the flow or in a body.');
         expect(lines.meanings.value.get('l1')).toEqual({ field: 'U', less: '', map: 'viridis', range: [0, 2] });
         expect(lines.waiting.value).toBe(false);
+    });
+
+    it('that is added is like one of the data that are worked on, not of others', () => {
+        const page = new PageBench();
+        const { lines } = linesOf(page);
+        page.state.otherDatasets.value = new Map([['other', datasetOf({ dataset: 'other' })]]);
+        page.state.lines.value = new Map([
+            ['l2', { ...record, lines: 'l2', dataset: 'other', field: 'p' }],
+            ['l1', record],
+        ]);
+        expect([null, 'l1', 'l2'].map((chosen) => lines.like(chosen)?.field)).toEqual(['U', 'U', 'U']);
+        page.state.lines.value = new Map([['l2', { ...record, lines: 'l2', dataset: 'other', field: 'p' }]]);
+        expect(lines.like('l2')).toBeUndefined();
     });
 
     it('takes a range of colours of its own without being asked for again', async () => {

@@ -27,8 +27,8 @@ export interface LinesOptions {
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'gestures' | 'history'>;
-    /** Returns the time of the picture; no number where nothing has one. */
-    time: () => number;
+    /** Returns the time of the picture in some data; no number where nothing has one. */
+    time: (dataset: string) => number;
 }
 
 /** What of a set can be edited. */
@@ -92,6 +92,10 @@ export class Lines {
         onOtherData(state, () => this.values.again());
     }
 
+    like(chosen: string | null): LinesPlace | undefined {
+        return this.drafts.like(chosen);
+    }
+
     add(place: LinesPlace): Promise<string | null> {
         return this.drafts.add(place);
     }
@@ -124,7 +128,7 @@ export class Lines {
         for (const [id, place] of this.places.value) {
             const description = state.described(state.lines.value.get(id)?.dataset ?? '');
             if (description === null) continue;
-            const shown = { dataset: description.dataset, time: dataTime(description, time()) };
+            const shown = { dataset: description.dataset, time: dataTime(description, time(description.dataset)) };
             if (!shows(view.visibility.value, id)) {
                 untracked(() => this.forget(id));
                 continue;

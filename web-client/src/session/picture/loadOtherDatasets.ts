@@ -3,13 +3,19 @@ import { effect } from '@preact/signals-core';
 import type { OtherDatasetsOptions } from './otherDatasets.ts';
 
 export function loadOtherDatasets(options: OtherDatasetsOptions): void {
-    const { dataset, lines, slices, surfaces } = options.state;
+    const { dataset, wantedDatasets, notices } = options.state;
     let loading = false;
     effect(() => {
         const shown = dataset.value?.dataset;
-        const all = [surfaces, slices, lines].flatMap(({ value }) => [...value.values()]);
-        if (loading || shown === undefined || all.every((each) => each.dataset === shown)) return;
+        if (loading || shown === undefined || [...wantedDatasets.value].every((each) => each === shown)) return;
         loading = true;
-        void import('./otherDatasets.ts').then(({ OtherDatasets }) => new OtherDatasets(options));
+        import('./otherDatasets.ts').then(
+            ({ OtherDatasets }) => new OtherDatasets(options),
+            (error: unknown) => {
+                // Once more with the next change of the session.
+                loading = false;
+                notices.tell('other data', error);
+            },
+        );
     });
 }

@@ -1,8 +1,9 @@
+import { batch } from '@preact/signals-core';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import { AppState } from '../../state/appState.ts';
 import { ViewState } from '../../state/viewState.ts';
-import { surfaceOf } from '../../testing/records.ts';
+import { datasetOf, surfaceOf } from '../../testing/records.ts';
 import type { ShowWish } from '../../worker/workerMessages.ts';
 import { showLooks } from './looksInPicture.ts';
 
@@ -10,6 +11,7 @@ function bench() {
     const [state, view] = [new AppState(), new ViewState()];
     state.stage.value = 'running';
     const shown: unknown[] = [];
+    const clips: (readonly number[])[] = [];
     const styles = new Map<string, SurfaceStyle>();
     const whole: [number, number] = [0, 5];
     const texture = { moved: 0, frame: (): void => undefined };
@@ -24,14 +26,14 @@ function bench() {
             spanOf: (id: string) => ({ colours: whole, t: whole, s: whole, age: whole, style: styles.get(id)!, lacks: '' }),
             moveTexture: () => ++texture.moved,
         },
-        setClip: () => undefined,
+        setClip: (planes: readonly (readonly number[])[]) => void clips.push(planes[0]!),
     };
     const worker = { show: (id: string, { parts }: ShowWish) => shown.push([id, parts]) };
     showLooks({ state, view, scene, worker, slicePlane: () => undefined });
     const has = (...ids: string[]): void => {
         state.surfaces.value = new Map(ids.map((id) => [id, surfaceOf(id)]));
     };
-    return { state, view, shown, has, texture };
+    return { state, view, shown, clips, has, texture };
 }
 
 describe('the looks on their way to the worker', () => {
@@ -64,6 +66,40 @@ describe('the looks on their way to the worker', () => {
             ['s1', null],
             ['s2', listed],
         ]);
+    });
+});
+
+describe('planes that cut', () => {
+    beforeEach(() => {
+        vi.stubGlobal('matchMedia', () => ({ matches: false, addEventListener: () => undefined }));
+    });
+
+    afterEach(() => vi.unstubAllGlobals());
+
+    it('stay where they are while further data come, are worked on and go, and while surfaces are edited', () => {
+        const { state, view, clips } = bench();
+        const [flow, other] = [
+            datasetOf({ bounds: [0, 2, 0, 1, 0, 1] }),
+            datasetOf({ dataset: 'other', bounds: [0, 8, 0, 1, 0, 1] }),
+        ];
+        state.dataset.value = flow;
+        state.surfaces.value = new Map([
+            ['s1', surfaceOf('s1')],
+            ['s2', surfaceOf('s2', { dataset: 'other' })],
+        ]);
+        const plane = { on: true, at: 0.5, flipped: false };
+        view.clip.value = { ...view.clip.value, planes: [plane, plane, plane] };
+        const told = clips.length;
+        expect(clips.at(-1)).toEqual([1, 0, 0, 1]);
+        state.otherDatasets.value = new Map([['other', other]]);
+        batch(() => {
+            state.dataset.value = other;
+            state.otherDatasets.value = new Map([['flow', flow]]);
+        });
+        state.surfaces.value = new Map([['s1', surfaceOf('s1', { epoch: 2 })]]);
+        expect(clips.slice(told)).toEqual([]);
+        view.clip.value = { ...view.clip.value, planes: [{ ...plane, at: 3 }, plane, plane] };
+        expect(clips.at(-1), 'in the other data').toEqual([1, 0, 0, 6]);
     });
 });
 

@@ -1,6 +1,6 @@
 // The looks on their way to the picture: as styles to the scene, and as what is needed to the worker, with the number of pixels that a unit
 // of length has where the camera looks, which curved cells are cut by. Surfaces that this page hides have no subscription.
-import { effect, type Signal } from '@preact/signals-core';
+import { computed, effect, type Signal } from '@preact/signals-core';
 import type { CameraControls } from '../../scene/camera/cameraControls.ts';
 import type { FrameLoop } from '../../scene/frameLoop.ts';
 import type { FlowScene } from '../../scene/scene.ts';
@@ -9,7 +9,7 @@ import { type AppState, speedRangeOf } from '../../state/appState.ts';
 import { planeNumbers, showsSurface, type SlicePlane } from '../../state/pageView.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { picturedBounds } from './picturedBounds.ts';
+import { clipBounds } from './picturedBounds.ts';
 import { attributesOf, automaticRanges, joinedRanges, styleOf } from './surfaceStyleOf.ts';
 
 export interface LooksOptions {
@@ -73,8 +73,9 @@ export function showLooks({ state, view, scene, worker, slicePlane }: LooksOptio
             worker.show(id, wish);
         }
     });
+    const box = computed(() => clipBounds(state));
     effect(() => {
-        const bounds = picturedBounds(state);
+        const bounds = box.value;
         if (bounds === null) return;
         const clip = view.clip.value;
         scene.setClip(planeNumbers(clip, bounds, slicePlane(clip.slice?.id ?? '') ?? null), clip.body);

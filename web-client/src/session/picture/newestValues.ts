@@ -1,7 +1,7 @@
 // Values of things in the picture as the server has them: of each thing one request at a time, coarse while it changes and fine once it
 // stands still. What came meanwhile is asked for next, the newest alone; a fine request that is out of date is cancelled, a coarse one is
 // nearly here and shown, so that what is dragged never waits for its last place.
-import { computed, effect, untracked } from '@preact/signals-core';
+import { effect, untracked } from '@preact/signals-core';
 import { faultOf, requestWords } from '../../connection/ownServer.ts';
 import type { AppState } from '../../state/appState.ts';
 
@@ -143,15 +143,27 @@ export class NewestValues<W, V> {
     }
 }
 
-/** Calls back whenever the data are others, or the server is there again: what could not be had may be there now. */
-export function onOtherData(state: Pick<AppState, 'datasetEntry' | 'datasets' | 'stage'>, again: () => void): void {
-    const data = computed(() => {
-        const entries = [...(state.datasetEntry.value === null ? [] : [state.datasetEntry.value]), ...state.datasets.value];
-        const known = new Map(entries.map(({ dataset, values, steps }) => [dataset, `${values} ${steps.ready}`]));
-        return JSON.stringify([...known].sort());
-    });
+/** Calls back whenever data of the session are others, or the server is there again: what could not be had may be there now. */
+export function onOtherData(
+    state: Pick<AppState, 'datasetEntry' | 'datasets' | 'slices' | 'stage' | 'wantedDatasets'>,
+    again: () => void,
+): void {
+    const known = new Map<string, string>();
+    let heard = false;
     effect(() => {
-        void data.value;
-        if (state.stage.value === 'running') untracked(again);
+        const { datasetEntry, datasets, slices, stage, wantedDatasets } = state;
+        const entries = [...(datasetEntry.value === null ? [] : [datasetEntry.value]), ...datasets.value];
+        const versions = new Map(entries.map(({ dataset, values, steps }) => [dataset, `${values} ${steps.ready}`]));
+        const subtracted = [...slices.value.values()].flatMap(({ minus }) => minus ?? []);
+        let others = false;
+        for (const id of [...wantedDatasets.value, ...subtracted]) {
+            const version = versions.get(id) ?? '';
+            others ||= (known.get(id) ?? version) !== version;
+            known.set(id, version);
+        }
+        const hears = stage.value === 'running';
+        const back = hears && !heard;
+        heard = hears;
+        if (back || (hears && others)) untracked(again);
     });
 }

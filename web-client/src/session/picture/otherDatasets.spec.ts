@@ -79,6 +79,21 @@ describe('data of which the session has something', () => {
         expect(asked).toEqual(['fine', 'fine']);
     });
 
+    it('are described again after an interruption in which they were lost', async () => {
+        await show('flow', 'fine');
+        state.stage.value = 'starting';
+        state.otherDatasets.value = new Map();
+        state.stage.value = 'running';
+        await settled();
+        expect([asked, domains]).toEqual([['fine', 'fine'], [fine.bounds]]);
+    });
+
+    it('are not asked for again with every edit where the server does not describe them', async () => {
+        await show('flow', 'lost');
+        await show('flow', 'lost');
+        expect(asked).toEqual(['lost']);
+    });
+
     it('are worked on when something of them is chosen, also a slice', async () => {
         await show('flow', 'fine');
         state.activeSurface.value = 's2';
@@ -98,6 +113,8 @@ describe('what is not drawn', () => {
     it('is what the server does not describe', async () => {
         await show('flow', 'lost');
         expect(said()).toBe('Of lost only surfaces are drawn: the server does not describe it.');
+        state.datasets.value = [...state.datasets.value, entryOf('lost', 0)];
+        expect(said()).toBe('Of lost.foam only surfaces are drawn: it is not imported.');
         await show('flow');
         expect(said()).toBe('');
     });

@@ -3,14 +3,13 @@
 // not drawn is said.
 import { computed, effect, untracked } from '@preact/signals-core';
 import type { BodyMesh } from '../../mesh/meshChange.ts';
-import type { DatasetDescription } from '../../protocol/messages.ts';
+import type { DatasetDescription, DatasetEntry } from '../../protocol/messages.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { hiddenCells } from '../../state/bodyPatches.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
-import { isDisconnected } from '../base/calls.ts';
 import type { Bodies } from './bodies.ts';
 
 export interface OtherDatasetsOptions {
@@ -29,6 +28,7 @@ export class OtherDatasets {
     private readonly options: OtherDatasetsOptions;
     /** What was asked for last, by dataset. */
     private readonly asked = new Map<string, string>();
+    private readonly asking = new Set<string>();
     private readonly meshes = new Map<string, BodyMesh>();
 
     constructor(options: OtherDatasetsOptions) {
@@ -36,7 +36,7 @@ export class OtherDatasets {
         const { state } = options;
         effect(() => {
             if (state.stage.value !== 'running') return;
-            const wanted = this.wanted.value;
+            const wanted = state.wantedDatasets.value;
             const versions = new Map(
                 state.datasets.value.map(({ dataset, values, steps }) => [dataset, `${values} ${steps.ready}`]),
             );
@@ -62,12 +62,6 @@ export class OtherDatasets {
         });
     }
 
-    /** All of which the session has something. */
-    private readonly wanted = computed((): ReadonlySet<string> => {
-        const { surfaces, slices, lines } = this.options.state;
-        return new Set([surfaces, slices, lines].flatMap(({ value }) => [...value.values()].map(({ dataset }) => dataset)));
-    });
-
     /** The dataset of what is chosen; empty: it has none. */
     private readonly chosen = computed((): string => {
         const { state, view } = this.options;
@@ -81,7 +75,7 @@ export class OtherDatasets {
         const { dataset, otherDatasets } = state;
         const shown = dataset.value;
         if (shown === null || state.stage.value !== 'running') return '';
-        const missing = [...this.wanted.value].filter((id) => state.described(id) === null).map((id) => this.nameOf(id));
+        const missing = [...state.wantedDatasets.value].filter((id) => state.described(id) === null);
         const bodies = [...otherDatasets.value.values()].filter(({ obstacle }) => obstacle).map(({ name }) => isolated(name));
         const { colourBy, texture } = view.body.value;
         const painted = (colourBy !== 'constant' || texture) && bodies.length > 0;
@@ -89,7 +83,10 @@ export class OtherDatasets {
             ({ lengthUnit }) => lengthUnit !== undefined && shown.lengthUnit !== undefined && lengthUnit !== shown.lengthUnit,
         );
         return [
-            missing.length === 0 ? '' : `Of ${missing.join(', ')} only surfaces are drawn: the server does not describe it.`,
+            ...missing.map((id) => {
+                const why = this.entryOf(id)?.steps.ready === 0 ? 'it is not imported' : 'the server does not describe it';
+                return `Of ${this.nameOf(id)} only surfaces are drawn: ${why}.`;
+            }),
             painted
                 ? `Colours and flow on the body are those of ${isolated(shown.name)}: the body of ${bodies.join(', ')} is grey.`
                 : '',
@@ -102,20 +99,28 @@ export class OtherDatasets {
             .join(' ');
     });
 
+    private entryOf(id: string): DatasetEntry | undefined {
+        return this.options.state.datasets.value.find(({ dataset }) => dataset === id);
+    }
+
     private nameOf(id: string): string {
-        return isolated(this.options.state.datasets.value.find(({ dataset }) => dataset === id)?.name ?? id);
+        return isolated(this.entryOf(id)?.name ?? id);
     }
 
     private follow(wanted: ReadonlySet<string>, versions: ReadonlyMap<string, string>): void {
         const { state } = this.options;
-        const kept = new Map([...state.otherDatasets.value].filter(([id]) => wanted.has(id)));
+        const kept = new Map(
+            [...state.otherDatasets.value].filter(([id]) => wanted.has(id) && id !== state.dataset.value?.dataset),
+        );
         if (kept.size < state.otherDatasets.value.size) state.otherDatasets.value = kept;
         for (const id of [...this.asked.keys()].filter((each) => !wanted.has(each))) this.asked.delete(id);
         for (const id of wanted) {
             const version = versions.get(id) ?? '';
-            if (id === state.dataset.value?.dataset || this.asked.get(id) === version) continue;
+            if (id === state.dataset.value?.dataset) continue;
+            if (this.asked.get(id) === version && (state.described(id) !== null || this.asking.has(id))) continue;
             this.asked.set(id, version);
-            void this.describe(id);
+            this.asking.add(id);
+            void this.describe(id).finally(() => this.asking.delete(id));
         }
     }
 
@@ -123,11 +128,10 @@ export class OtherDatasets {
         const { state, worker } = this.options;
         try {
             const description = await worker.call('dataset.describe', { dataset: id });
-            if (!this.wanted.value.has(id) || state.dataset.value?.dataset === id) return;
+            if (!state.wantedDatasets.value.has(id) || state.dataset.value?.dataset === id) return;
             state.otherDatasets.value = new Map(state.otherDatasets.value).set(id, description);
-        } catch (error) {
+        } catch {
             // The words say that it is missing.
-            if (isDisconnected(error)) this.asked.delete(id);
         }
     }
 

@@ -94,6 +94,17 @@ describe('a slice', () => {
     });
 });
 
+describe('a new slice', () => {
+    it('is of a field of the data that are worked on, whatever others show', async () => {
+        const page = new PageBench();
+        const { slices } = slicesOf(page);
+        page.state.otherDatasets.value = new Map([['other', datasetOf({ dataset: 'other' })]]);
+        page.state.slices.value = new Map([['c1', { ...record, dataset: 'other', field: 'p' }]]);
+        await slices.add([0, 0, 1], [0, 0, 1]);
+        expect(page.asked('slice.set')[0]).toMatchObject({ dataset: 'flow', field: 'U' });
+    });
+});
+
 describe('the colours of a slice', () => {
     it('are round numbers around what there is', () => {
         expect(coloursOf(0.13, 1.97)).toEqual({ map: 'viridis', range: [0, 2] });

@@ -39,8 +39,8 @@ export interface SlicesOptions {
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
     edits: Pick<Edits, 'gestures' | 'history'>;
-    /** Returns the time of the picture; no number where nothing has one. */
-    time: () => number;
+    /** Returns the time of the picture in some data; no number where nothing has one. */
+    time: (dataset: string) => number;
 }
 
 /** What of a slice can be edited. */
@@ -129,11 +129,10 @@ export class Slices {
         });
     }
 
-    /** Adds a slice through a point, of the field of the chosen one, and chooses it. */
+    /** Adds a slice through a point, of the field of the chosen one if its data are worked on, and chooses it. */
     async add(origin: Vec3, normal: Vec3): Promise<void> {
         const { view } = this.options;
-        const before = this.places.value.get(view.chosenThing.value ?? '') ?? [...this.places.value.values()][0];
-        const field = before?.field ?? this.options.state.dataset.value?.velocity ?? '';
+        const field = this.drafts.like(view.chosenThing.value)?.field ?? this.options.state.dataset.value?.velocity ?? '';
         const made = await this.drafts.add({ origin, normal, field, minus: null });
         if (made !== null) view.chosenThing.value = made;
     }
@@ -213,7 +212,7 @@ export class Slices {
             const description = state.described(dataset);
             // Beside its data: the edit is about to be refused, in words.
             if (description === null || !shows(visibility, id) || !meets(description.bounds, origin, normal)) continue;
-            const time = dataTime(description, this.options.time());
+            const time = dataTime(description, this.options.time(dataset));
             const less = minus === null ? {} : { minus: minusWish(minus, dataset, time, (other) => this.nameOf(other)) };
             const wish = { dataset, origin, normal, field, time, ...less };
             this.values.want(id, wish);

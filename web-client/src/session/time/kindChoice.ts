@@ -11,7 +11,7 @@ import type { Playback } from './playback.ts';
 import { nearestStep } from './timeSteps.ts';
 
 export interface KindChoice {
-    state: Pick<AppState, 'times' | 'dataset' | 'clock' | 'suggestion'>;
+    state: Pick<AppState, 'surfaceTimes' | 'surfaceDataset' | 'clock' | 'suggestion'>;
     edits: Pick<Edits, 'intent' | 'changeSurface'>;
     clock: Pick<ClockControl, 'set'>;
     playback: Pick<Playback, 'time'>;
@@ -28,10 +28,10 @@ interface Times {
 export function chooseKind({ state, edits, clock, playback }: KindChoice, kind: SurfaceKind): void {
     const before = edits.intent.value;
     if (before === null || before.kind === kind) return;
-    const steady = state.dataset.value?.steady ?? false;
+    const steady = state.surfaceDataset.value?.steady ?? false;
     const shownBefore = playback.time.value;
     const suggested = suggestedOf(state, kind);
-    const times = state.times.value;
+    const times = state.surfaceTimes.value;
     const after = steady
         ? steadyTimes(before, kind)
         : kind === 'stream'

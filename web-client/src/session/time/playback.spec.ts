@@ -10,7 +10,7 @@ import { intentOf, type SurfaceIntent } from '../edits/surfaceIntent.ts';
 
 const times = [0, 1, 2, 3, 4, 5];
 
-function bench(kind: 'stream' | 'streak', rest: Partial<SurfaceRecord> = {}) {
+function bench(kind: 'stream' | 'streak' | 'level', rest: Partial<SurfaceRecord> = {}) {
     const state = new AppState();
     const calls: unknown[] = [];
     const record = surfaceOf('s', { kind, from: 1, to: 5, separation: 1, ...rest });
@@ -128,8 +128,8 @@ describe('Playback of a surface that moves', () => {
 });
 
 describe('Playback where other data move as well', () => {
-    function several() {
-        const page = bench('streak');
+    function several(kind: 'stream' | 'streak' | 'level' = 'streak') {
+        const page = bench(kind);
         const other = surfaceOf('o', { dataset: 'other', kind: 'streak', from: 3, to: 9 });
         page.state.surfaces.value = new Map([...page.state.surfaces.value, ['o', other]]);
         page.state.otherDatasets.value = new Map([['other', datasetOf({ dataset: 'other', times: [3, 6, 9] })]]);
@@ -163,6 +163,40 @@ describe('Playback where other data move as well', () => {
         expect(playback.time.value).toBe(4);
         at(5, 7);
         expect(playback.time.value).toBe(7);
+    });
+
+    it('moves the chosen surface through its own data, whichever are worked on', async () => {
+        const { playback, state, intent } = several('stream');
+        state.otherDatasets.value = new Map([['flow', state.dataset.value!]]);
+        state.dataset.value = datasetOf({ dataset: 'other', times: [3.2, 6.2, 9.2] });
+        await playback.step(1);
+        expect([playback.own.value, intent.value?.from]).toEqual([[0, 5], 2]);
+        playback.release(9.2);
+        expect(intent.value?.from).toBe(5);
+        state.otherDatasets.value = new Map();
+        playback.release(3.2);
+        expect(intent.value?.from, 'while its data are not known').toBe(5);
+    });
+
+    it('leaves them at the time of the clock where the chosen surface freezes its own field', () => {
+        const { playback, state } = several('stream');
+        const shown = (): number[] => ['flow', 'other'].map((each) => playback.timeOf(each));
+        expect([playback.mode.value, shown()]).toEqual(['frozen', [1, 9]]);
+        state.clock.value = { ...state.clock.value!, time: 4 };
+        expect(shown()).toEqual([1, 4]);
+        state.surfaces.value = new Map([...state.surfaces.value].filter(([id]) => id === 's'));
+        expect(shown(), 'nothing goes with the clock').toEqual([1, 1]);
+    });
+
+    it.each(['stream', 'level'] as const)('plays them where the chosen %s surface has one time', async (kind) => {
+        const { playback, state, calls } = several(kind);
+        state.dataset.value = datasetOf({ times: [1] });
+        expect([playback.mode.value, playback.span.value, playback.time.value]).toEqual(['clock', [3, 9], 9]);
+        await playback.play();
+        expect(calls).toEqual([{ speed: 0.6, loop: true, from: 3, to: 9 }]);
+        const at = displayedOf('o', { time: 5 });
+        state.displayed.value = new Map([...state.displayed.value, ['o', at]]);
+        expect(playback.time.value).toBe(5);
     });
 
     it('is of its own times alone while the others are hidden', () => {

@@ -4,6 +4,7 @@
 // is there.
 import { computed, effect, signal } from '@preact/signals-core';
 import { type Clock, systemClock, type Timer } from '../../connection/clock.ts';
+import type { SurfaceRecord } from '../../protocol/messages.ts';
 import type { AppState, DisplayedSurface } from '../../state/appState.ts';
 import type { ClockControl } from './clockControl.ts';
 import type { Edits } from '../edits/edits.ts';
@@ -52,11 +53,25 @@ export class Playback {
     readonly mode = computed((): PlaybackMode => {
         const { state, edits } = this.options;
         const intent = edits.intent.value;
-        if (intent === null) return 'none';
+        if (intent?.kind === 'stream' && state.surfaceTimes.value.length > 1) return 'frozen';
+        return state.clock.value !== null && (this.ownMoves.value || this.others.value.length > 0) ? 'clock' : 'none';
+    });
+
+    /** The surface goes with the clock. */
+    readonly ownMoves = computed((): boolean => {
+        const { state, edits } = this.options;
+        const kind = edits.intent.value?.kind ?? 'stream';
         // Of one time-step there is one level set at all times.
-        if (intent.kind === 'level' && state.times.value.length < 2) return 'none';
-        if (intent.kind !== 'stream') return state.clock.value === null ? 'none' : 'clock';
-        return state.times.value.length > 1 ? 'frozen' : 'none';
+        return kind === 'level' ? state.surfaceTimes.value.length > 1 : kind !== 'stream';
+    });
+
+    /** What goes with the clock in other data than those of the surface. */
+    private readonly others = computed((): readonly SurfaceRecord[] => {
+        const { hiddenSurfaces, surfaceDataset, surfaces } = this.options.state;
+        return [...surfaces.value.values()].filter(
+            ({ surface, kind, dataset }) =>
+                kind !== 'stream' && dataset !== surfaceDataset.value?.dataset && !hiddenSurfaces.value.has(surface),
+        );
     });
 
     /** The span of the surface, or of all time-steps for a stream surface: the earlier end first, also
@@ -68,13 +83,11 @@ export class Playback {
 
     /** What is played: that span, and of a clock those of what moves in other data as well, since it is one for all. */
     readonly span = computed((): Span => {
-        const { dataset, hiddenSurfaces, surfaces } = this.options.state;
-        if (this.mode.value !== 'clock') return this.own.value;
-        const others = [...surfaces.value.values()].filter(
-            (each) =>
-                each.kind !== 'stream' && each.dataset !== dataset.value?.dataset && !hiddenSurfaces.value.has(each.surface),
-        );
-        const all = [...this.own.value, ...others.flatMap(({ from, to }) => [from, to])];
+        return this.mode.value === 'clock' ? this.moving.value : this.own.value;
+    });
+
+    private readonly moving = computed((): Span => {
+        const all = [...(this.ownMoves.value ? this.own.value : []), ...this.others.value.flatMap(({ from, to }) => [from, to])];
         return [Math.min(...all), Math.max(...all)];
     });
 
@@ -83,7 +96,7 @@ export class Playback {
         const { state, edits } = this.options;
         const intent = edits.intent.value;
         if (intent === null || intent.kind === 'stream') {
-            return [state.times.value[0] ?? 0, state.times.value.at(-1) ?? 0];
+            return [state.surfaceTimes.value[0] ?? 0, state.surfaceTimes.value.at(-1) ?? 0];
         }
         const record = state.surface.value;
         const same =
@@ -93,31 +106,43 @@ export class Playback {
             record.direction === intent.direction;
         if (same) return [record.from, record.to];
         // Until the server has it: what it will be asked for.
-        return [intent.from, endOf(intent, state.times.value, state.dataset.value?.steady ?? false)];
+        return [intent.from, endOf(intent, state.surfaceTimes.value, state.surfaceDataset.value?.steady ?? false)];
     });
 
     /** The time of the picture. */
     readonly time = computed((): number => {
         const { state, edits } = this.options;
         // Slices and streamlines have a time also where no surface is chosen.
-        if (this.mode.value !== 'clock') return edits.intent.value?.from ?? shownTime(state);
+        return this.mode.value === 'clock' ? this.clockTime.value : (edits.intent.value?.from ?? shownTime(state));
+    });
+
+    /** The time of the picture in some data: a field is frozen in its own alone where those of others go with the clock. */
+    timeOf(dataset: string): number {
+        const { clock, surfaceDataset } = this.options.state;
+        const own = dataset === surfaceDataset.value?.dataset || clock.value === null || this.others.value.length === 0;
+        return own ? this.time.value : this.clockTime.value;
+    }
+
+    private readonly clockTime = computed((): number => {
+        const { state } = this.options;
         const record = state.clock.value!;
         const displayed = this.clockOf(state.activeSurface.value ?? '');
         if (record.playing && displayed !== undefined) return displayed.time;
-        return record.time === null ? this.ends.value[1] : clampTo(this.span.value, record.time);
+        if (record.time !== null) return clampTo(this.moving.value, record.time);
+        return this.ownMoves.value ? this.ends.value[1] : this.moving.value[1];
     });
 
     /** What is on the screen of a surface that goes with the clock: of another where this one has come to an end of its time. */
     private clockOf(active: string): DisplayedSurface | undefined {
         const { displayed, surfaces } = this.options.state;
-        const own = displayed.value.get(active);
+        const own = this.ownMoves.value ? displayed.value.get(active) : undefined;
         const [low, high] = this.own.value;
-        if (own === undefined || (own.time > low && own.time < high) || sameSpan(this.span.value, this.own.value)) return own;
+        if (own !== undefined && ((own.time > low && own.time < high) || sameSpan(this.moving.value, this.own.value))) return own;
         const going = [...surfaces.value.values()].find(({ surface, kind, from, to }) => {
             const time = displayed.value.get(surface)?.time ?? Number.NaN;
             return kind !== 'stream' && time > Math.min(from, to) && time < Math.max(from, to);
         });
-        return displayed.value.get(going?.surface ?? active);
+        return going === undefined ? own : displayed.value.get(going.surface);
     }
 
     readonly playing = computed((): boolean =>
@@ -168,9 +193,9 @@ export class Playback {
     async step(sign: 1 | -1): Promise<void> {
         const at = this.time.value;
         await this.pause();
-        const { pictured, times } = this.options.state;
-        const others = this.mode.value === 'clock' ? pictured.value.slice(1).flatMap((each) => each.times) : [];
-        this.goTo(stepFrom([...times.value, ...others], at, sign, this.span.value));
+        const { pictured, surfaceTimes } = this.options.state;
+        const others = this.mode.value === 'clock' ? pictured.value.flatMap((each) => each.times) : [];
+        this.goTo(stepFrom([...surfaceTimes.value, ...others], at, sign, this.span.value));
     }
 
     async toEnd(sign: 1 | -1): Promise<void> {
@@ -194,7 +219,7 @@ export class Playback {
     /** When the surface is released, or its field frozen: at the time-step nearest to a time. */
     release(time: number, gesture?: string): void {
         const { state, edits } = this.options;
-        const times = state.times.value;
+        const times = state.surfaceTimes.value;
         const from = times[nearestStep(times, time)];
         if (from !== undefined && from !== edits.intent.value?.from) edits.changeSurface({ from }, gesture);
     }
@@ -255,7 +280,7 @@ export class Playback {
     }
 
     private nextFrozen(at: number): number | null {
-        const times = this.options.state.times.value;
+        const times = this.options.state.surfaceTimes.value;
         const next = times[nearestStep(times, at) + 1];
         if (next !== undefined) return next;
         return this.loop.value && times.length > 1 ? times[0]! : null;
@@ -263,7 +288,7 @@ export class Playback {
 
     /** The last time-step stays as long as the one before it. */
     private frozenPause(at: number, next: number): number {
-        const times = this.options.state.times.value;
+        const times = this.options.state.surfaceTimes.value;
         return next > at ? next - at : (times.at(-1) ?? 0) - (times.at(-2) ?? 0);
     }
 

@@ -4,7 +4,7 @@ import { html, nothing, type TemplateResult } from 'lit';
 export function lateRow(late: boolean, again: () => void): TemplateResult | typeof nothing {
     return late
         ? html`<p role="status" class="late">
-              The server has been working on this for more than 10 s.
+              The server has not answered for more than 10 s.
               <button type="button" @click=${again}>Ask again</button>
           </p>`
         : nothing;

@@ -103,8 +103,7 @@ export class LinesPanel extends ModelElement<LinesModel> {
 
     private async add(seeds: SeedsPlace): Promise<void> {
         const { state, view, lines } = this.model;
-        const shown = lines.places.value.get(view.chosenThing.value ?? '') ?? [...lines.places.value.values()][0];
-        const field = shown?.field ?? state.dataset.value!.velocity;
+        const field = lines.like(view.chosenThing.value)?.field ?? state.dataset.value!.velocity;
         const made = await lines.add({ ...seeds, direction: 'both', duration: 0, length: 0, field, range: null });
         if (made !== null) view.chosenThing.value = made;
     }

@@ -5,7 +5,7 @@ import { placeNumber, resolutionOf } from '../../scene/base/numbers.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { Edits } from '../../session/edits/edits.ts';
 import { changeLookWithFields } from '../../session/picture/surfaceFields.ts';
-import { picturedBounds } from '../../session/picture/picturedBounds.ts';
+import { clipBounds, picturedBounds } from '../../session/picture/picturedBounds.ts';
 import { coordinateText } from '../../session/picture/writtenNumbers.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { ClipPlane, ClipPlanes } from '../../state/pageView.ts';
@@ -19,7 +19,7 @@ import { LookGroup, lookStyles } from './lookStyles.ts';
 const axes = ['x', 'y', 'z'] as const;
 
 export interface ClipModel {
-    state: Pick<AppState, 'dataset' | 'pictured'>;
+    state: Pick<AppState, 'dataset' | 'described' | 'lines' | 'pictured' | 'slices' | 'surfaces'>;
     view: Pick<ViewState, 'clip'>;
 }
 
@@ -59,17 +59,19 @@ export class ClipPanel extends ModelElement<ClipModel> {
     }
 
     private plane(axis: string, index: number, plane: ClipPlane): TemplateResult {
-        const bounds = picturedBounds(this.model.state) ?? [0, 1, 0, 1, 0, 1];
+        const bounds = clipBounds(this.model.state) ?? [0, 1, 0, 1, 0, 1];
         const [low, high] = [bounds[2 * index] ?? 0, bounds[2 * index + 1] ?? 1];
+        const whole = picturedBounds(this.model.state) ?? bounds;
+        const part = (end: 0 | 1): number => (high > low ? (whole[2 * index + end]! - low) / (high - low) : end);
         const place = coordinateText(this.model.state, index, low + plane.at * (high - low));
         return html`<div class="plane" role="group" aria-label=${`Plane across ${axis}`}>
             ${checkRow(`Cut ${axis}`, plane.on, (on) => this.changePlane(index, { on }), { id: `clip-${axis}` })}
             <input
                 id=${`clip-${axis}-at`}
                 type="range"
-                min="0"
-                max="1"
-                step="0.005"
+                min=${part(0)}
+                max=${part(1)}
+                step=${(part(1) - part(0)) / 200}
                 aria-label=${`Where it cuts ${axis}`}
                 aria-valuetext=${place}
                 .value=${String(plane.at)}

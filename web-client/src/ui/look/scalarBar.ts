@@ -4,6 +4,7 @@ import type { ReadonlySignal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { colourTable, colourTicks, fractionOf, scaleOf, tableSize } from '../../scene/surface/colourMap.ts';
 import { placeNumbers, resolutionOf, shortNumber } from '../../scene/base/numbers.ts';
+import type { DatasetDescription } from '../../protocol/messages.ts';
 import type { SurfaceStyle } from '../../scene/surface/surfaceStyle.ts';
 import type { FlowScene } from '../../scene/scene.ts';
 import type { AppState } from '../../state/appState.ts';
@@ -162,7 +163,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
             const { style, colours, lacks } = span;
             const { map, inverted, logarithmic, root, bands: bandCount, beyond } = style;
             const titleOf = (shown: Pick<SurfaceStyle, 'source' | 'scalar'>): string =>
-                colourTitle(shown, state.dataset.value, record.kind, view.units.value);
+                colourTitle(shown, state.described(record.dataset), record.kind, view.units.value);
             if (lacks !== '') this.missing.add(titleOf({ source: 'scalar', scalar: lacks }));
             if (style.source === 'constant') continue;
             const title = titleOf(style);
@@ -179,27 +180,31 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
 
     /** Slices and lines of which colours mean the same have one. */
     private barsOfFields(): Bar[] {
-        const { slices, lines } = this.model;
+        const { state, slices, lines } = this.model;
         const bars = new Map<string, Bar>();
-        const add = (of: string, meanings: Iterable<FieldMeaning>): void => {
-            for (const { field, less, map, range } of meanings) {
-                const key = JSON.stringify([field, less, map, range]);
+        const add = (
+            of: string,
+            records: ReadonlyMap<string, { dataset: string }>,
+            meanings: Iterable<[string, FieldMeaning]>,
+        ): void => {
+            for (const [id, { field, less, map, range }] of meanings) {
+                const title = this.titleOf(field, state.described(records.get(id)?.dataset ?? ''));
+                const key = JSON.stringify([title, less, map, range]);
                 const held = bars.get(key);
                 if (held === undefined) {
                     const style = { ...plainScale, beyond: [null, null] as [null, null] };
-                    bars.set(key, { title: this.titleOf(field), less, colours: range, map, ...style, rangeOf: null, of: [of] });
+                    bars.set(key, { title, less, colours: range, map, ...style, rangeOf: null, of: [of] });
                 } else if (!held.of.includes(of)) held.of.push(of);
             }
         };
-        add('slice', slices.value?.slices.meanings.value.values() ?? []);
-        add('streamlines', lines.value?.lines.meanings.value.values() ?? []);
+        add('slice', state.slices.value, slices.value?.slices.meanings.value ?? []);
+        add('streamlines', state.lines.value, lines.value?.lines.meanings.value ?? []);
         return [...bars.values()];
     }
 
     /** @param field  as the server knows it */
-    private titleOf(field: string): string {
-        const { state, view } = this.model;
-        const dataset = state.dataset.value;
+    private titleOf(field: string, dataset: DatasetDescription | null): string {
+        const { view } = this.model;
         const scalar = field === dataset?.velocity ? 'speed' : field;
         return colourTitle({ source: 'scalar', scalar }, dataset, undefined, view.units.value);
     }
@@ -209,7 +214,7 @@ export class ScalarBar extends ModelElement<ScalarBarModel> {
         if (span === null || !shows(this.model.view.visibility.value, bodyId)) return [];
         const { invert: inverted, range } = this.model.view.body.value;
         const { field, map, colours, beyond } = span;
-        const title = this.titleOf(field);
+        const title = this.titleOf(field, this.model.state.dataset.value);
         return [
             {
                 title,

@@ -14,7 +14,7 @@ export function loadSlices(options: SlicesOptions): LoadedSlices {
     const { state, view } = options;
     const model = signal<SlicesModel | null>(null);
     void import('./openedFields.ts').then(({ Slices }) => {
-        model.value = { state, view, slices: new Slices(options), time: options.time };
+        model.value = { state, view, slices: new Slices(options), time: () => options.time(state.dataset.value?.dataset ?? '') };
     });
     const waiting = computed(() => state.slices.value.size > 0 && (model.value?.slices.waiting.value ?? true));
     return { model, waiting };

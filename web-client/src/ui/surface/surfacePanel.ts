@@ -148,7 +148,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
     override render(): TemplateResult {
         const { state, edits } = this.model;
         const intent = edits.intent.value;
-        const dataset = state.dataset.value;
+        const dataset = state.surfaceDataset.value;
         if (dataset === null) return html``;
         if (intent?.kind === 'level') return this.isosurface();
         if (state.rake.value === undefined) return html``;
@@ -183,7 +183,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
     /** Returns the rows of surfaces that follow particles. */
     private followedRows(intent: SurfaceIntent, dataset: DatasetDescription): TemplateResult {
         const { state, edits } = this.model;
-        const shown = followed(intent, state.times.value, dataset.steady);
+        const shown = followed(intent, state.surfaceTimes.value, dataset.steady);
         const { longest, dataEnd } = this.longest(intent, dataset);
         const step = longest / lengthSteps;
         return html`
@@ -213,7 +213,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
                     intent.kind !== 'stream' &&
                     intent.interpolation === 'linear' &&
                     dataset.grid !== 'analytic' &&
-                    this.model.state.times.value.length > 2
+                    this.model.state.surfaceTimes.value.length > 2
                         ? selectRow('between', 'Between stored times', betweens, intent.between, (between) =>
                               edits.changeSurface({ between }),
                           )
@@ -224,8 +224,8 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
 
     /** The end of the slider, and whether it is that of the data. */
     private longest(intent: SurfaceIntent, { steady }: DatasetDescription): { longest: number; dataEnd: boolean } {
-        const { times, suggestion } = this.model.state;
-        const left = longestLength(intent, times.value, steady);
+        const { surfaceTimes, suggestion } = this.model.state;
+        const left = longestLength(intent, surfaceTimes.value, steady);
         if (left !== null) return { longest: Math.max(left, Number.MIN_VALUE), dataEnd: true };
         const usual = suggestion.value?.surfaces.find(({ kind }) => kind === intent.kind);
         const longest = Math.max(intent.length, 2 * (usual === undefined ? intent.length : usual.to - usual.from));
@@ -259,7 +259,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
 
     /** Both ways, but not as long back as forward. */
     private cutBack(intent: SurfaceIntent, { steady }: DatasetDescription): TemplateResult | typeof nothing {
-        const end = cutBackAt(intent, this.model.state.times.value, steady);
+        const end = cutBackAt(intent, this.model.state.surfaceTimes.value, steady);
         if (end === null) return nothing;
         const words =
             end < intent.from
@@ -325,7 +325,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
 
     private duration(value: number): string {
         const { state, view } = this.model;
-        return withUnit(shortNumber(value), unitOfDuration(view.units.value, state.dataset.value));
+        return withUnit(shortNumber(value), unitOfDuration(view.units.value, state.surfaceDataset.value));
     }
 
     private time(value: number): string {
@@ -359,7 +359,7 @@ export class SurfacePanel extends ModelElement<SurfaceModel> {
             const name = rakes.get(rake2 ?? '')?.name ?? 'another rake';
             return html`<p class="quiet">Released between this rake and ${isolated(name)}.</p>`;
         }
-        const resolution = resolutionOf(0, diagonal(this.model.state.dataset.value!.bounds));
+        const resolution = resolutionOf(0, diagonal(this.model.state.surfaceDataset.value!.bounds));
         const written = (_axis: number, value: number): string => fieldNumber(value, resolution);
         return html`<div class="sweep" role="group" aria-label="Sweep">
             <span>Sweep</span>

@@ -47,7 +47,7 @@ export class ReleasePanel extends ModelElement<ReleaseModel> {
         const { state, view, edits } = this.model;
         const intent = edits.intent.value;
         if (intent === null || intent.kind === 'stream') return html``;
-        const longest = followed(intent, state.times.value, state.dataset.value?.steady ?? false);
+        const longest = followed(intent, state.surfaceTimes.value, state.surfaceDataset.value?.steady ?? false);
         const sign = intent.direction === 'backward' ? -1 : 1;
         const until: Span = {
             ...{ id: 'release-until', box: 'release', label: 'Keep releasing while shown', words: 'Release until', longest },
@@ -110,8 +110,8 @@ export class TimeEnds extends ModelElement<TimeEndsModel> {
         const { state, edits } = this.model;
         const intent = edits.intent.value;
         if (intent === null) return html``;
-        const times = state.times.value;
-        const steady = state.dataset.value?.steady ?? false;
+        const times = state.surfaceTimes.value;
+        const steady = state.surfaceDataset.value?.steady ?? false;
         const frozen = intent.kind === 'stream' && !steady;
         const from: Typed = (value) => typedFrom(intent, value, times, steady);
         const to: Typed = (value) => typedTo(intent, value, times, steady);

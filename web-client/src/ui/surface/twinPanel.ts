@@ -77,16 +77,16 @@ export class TwinPanel extends ModelElement<TwinModel> {
 
     private choices({ accuracy, interpolation, between, dataset, kind }: SurfaceRecord): TwinChoice[] {
         const { state } = this.model;
-        const stored = state.dataset.value?.grid !== 'analytic';
+        const stored = state.surfaceDataset.value?.grid !== 'analytic';
         const out: TwinChoice[] = [{ choice: { value: nothingElse, words: 'Nothing' }, twin: undefined }];
         const add = (value: string, words: string, twin: Twin): number => out.push({ choice: { value, words }, twin });
         if (accuracy !== 'exact') add('exact', 'Accuracy exact', { accuracy: 'exact' });
-        if (stored && kind !== 'stream' && interpolation === 'linear' && state.times.value.length > 2) {
+        if (stored && kind !== 'stream' && interpolation === 'linear' && state.surfaceTimes.value.length > 2) {
             for (const each of ['linear', 'cubic', 'flow'] as const) {
                 if (each !== between) add(`between ${each}`, `Between stored times: ${each}`, { between: each });
             }
         }
-        if (state.dataset.value?.smooth === true && interpolation === 'linear') {
+        if (state.surfaceDataset.value?.smooth === true && interpolation === 'linear') {
             add('smooth', 'Interpolation smooth', { interpolation: 'smooth', between: 'linear' });
         }
         add(moved, 'A rake beside it', { offset: this.besides() });
@@ -105,13 +105,13 @@ export class TwinPanel extends ModelElement<TwinModel> {
             return Math.max(...along) - Math.min(...along);
         });
         const axis = reach.indexOf(Math.min(...reach));
-        const bounds = state.dataset.value?.bounds;
+        const bounds = state.surfaceDataset.value?.bounds;
         const far = bounds === undefined ? 1 : Number((diagonal(bounds) / 100).toPrecision(1));
         return [0, 1, 2].map((each) => (each === axis ? far : 0)) as [number, number, number];
     }
 
     private offset(record: SurfaceRecord, twin: Twin): TemplateResult {
-        const bounds = this.model.state.dataset.value?.bounds;
+        const bounds = this.model.state.surfaceDataset.value?.bounds;
         const resolution = bounds === undefined ? 0 : resolutionOf(0, diagonal(bounds));
         return html`<div class="offset" role="group" aria-label="Offset of the rake">
             <span>Offset</span>
@@ -146,7 +146,7 @@ export class TwinPanel extends ModelElement<TwinModel> {
         const lag =
             lag50 === 0
                 ? ''
-                : ` It comes ${withUnit(short(Math.abs(lag50)), unitOfDuration(view.units.value, state.dataset.value))} ${lag50 > 0 ? 'later' : 'earlier'} at the median.`;
+                : ` It comes ${withUnit(short(Math.abs(lag50)), unitOfDuration(view.units.value, state.surfaceDataset.value))} ${lag50 > 0 ? 'later' : 'earlier'} at the median.`;
         const share = compared < 1 ? ` ${Math.floor(1000 * compared) / 10} % of the particles are there in both.` : '';
         return `Apart: half within ${withUnit(far[0]!, length)}, 90 % within ${withUnit(far[1]!, length)}, 99 % within ${withUnit(far[2]!, length)}.${lag}${share}`;
     }

@@ -188,7 +188,7 @@ export class TimeBar extends ModelElement<TimeBarModel> {
             </div>
             <wakesurf-timeline
                 .model=${this.model}
-                ?hidden=${none && this.model.state.times.value.length < 2}
+                ?hidden=${none && this.model.state.surfaceTimes.value.length < 2}
             ></wakesurf-timeline>
             <div class="below">
                 ${this.legend()}

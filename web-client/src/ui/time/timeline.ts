@@ -168,7 +168,7 @@ interface Slider {
 export interface TimelineModel {
     state: AppState;
     view: Pick<ViewState, 'units'>;
-    playback: Pick<Playback, 'goTo' | 'mode' | 'own' | 'release' | 'span' | 'step' | 'time' | 'toEnd'>;
+    playback: Pick<Playback, 'goTo' | 'mode' | 'own' | 'ownMoves' | 'release' | 'span' | 'step' | 'time' | 'toEnd'>;
     edits: Pick<Edits, 'intent' | 'changeSurface'>;
 }
 
@@ -196,8 +196,10 @@ export class Timeline extends ModelElement<TimelineModel> {
         const { playback, state } = this.model;
         const moving = playback.mode.value === 'clock';
         const times = state.times.value;
-        const surface = moving ? this.covered(playback.own.value) : null;
-        const line = timelineSpan(times, surface === null ? null : joined(surface, playback.span.value));
+        const ownMoves = moving && playback.ownMoves.value;
+        const surface = ownMoves ? this.covered(playback.own.value) : null;
+        const played = playback.span.value;
+        const line = timelineSpan(times, surface === null ? played : joined(surface, played));
         const at = (time: number): string => `${((100 * (time - line[0])) / (line[1] - line[0])).toFixed(3)}%`;
         const { ticks, shared } = stepTicks(times, line, this.width.value / pxPerTick);
         this.toggleAttribute('shared', shared !== '');
@@ -211,7 +213,7 @@ export class Timeline extends ModelElement<TimelineModel> {
                         ? svg`<line class="now" x1=${at(time.value)} x2=${at(time.value)} y1="10" y2="34" />`
                         : nothing
                 }
-                ${moving && this.bothWays ? this.otherNow(time.value, at) : nothing}
+                ${ownMoves && this.bothWays ? this.otherNow(time.value, at) : nothing}
                 ${stepMarks(state.heldSteps.value, this.width.value / pxPerMark).map((mark) => this.mark(mark, at))}
                 ${ticks.map(({ value, label }, i) => {
                     const words = i === ticks.length - 1 ? withUnit(label, this.unit) : label;
@@ -220,7 +222,7 @@ export class Timeline extends ModelElement<TimelineModel> {
                 ${shared === '' ? nothing : svg`<text class="shared" x="100%" y="63">${withUnit(shared, this.unit)}</text>`}
             </svg>
             ${moving ? this.clockSlider(line) : this.frozenSlider(line)}
-            ${moving && this.model.edits.intent.value?.kind !== 'level' ? this.releaseSlider(line) : nothing}
+            ${ownMoves && this.model.edits.intent.value?.kind !== 'level' ? this.releaseSlider(line) : nothing}
         `;
     }
 
@@ -230,13 +232,13 @@ export class Timeline extends ModelElement<TimelineModel> {
 
     /** The times of the surface, its backward side too. */
     private covered(span: Span): Span {
-        return this.bothWays ? [otherSide(span[0], span[1], this.model.state.times.value), span[1]] : span;
+        return this.bothWays ? [otherSide(span[0], span[1], this.model.state.surfaceTimes.value), span[1]] : span;
     }
 
     /** Returns how far the backward side has come. */
     private otherNow(time: number, at: (time: number) => string): TemplateResult {
         const { playback, state } = this.model;
-        const x = at(otherSide(playback.own.value[0], time, state.times.value));
+        const x = at(otherSide(playback.own.value[0], time, state.surfaceTimes.value));
         return svg`<line class="now other" x1=${x} x2=${x} y1="4" y2="16" />`;
     }
 
@@ -314,7 +316,7 @@ export class Timeline extends ModelElement<TimelineModel> {
         const from = edits.intent.value?.from ?? line[0];
         return this.slider(line, {
             ...{ id: 'time', handle: 'release-handle', at: from },
-            disabled: this.mayNot || state.times.value.length < 2,
+            disabled: this.mayNot || state.surfaceTimes.value.length < 2,
             ...{
                 label: 'Release',
                 words: `released at ${this.words(from)}`,
@@ -392,7 +394,7 @@ export class Timeline extends ModelElement<TimelineModel> {
 
     private releaseKeyed(event: KeyboardEvent): void {
         const { playback, state, edits } = this.model;
-        const times = state.times.value;
+        const times = state.surfaceTimes.value;
         const index = times.indexOf(edits.intent.value?.from ?? Number.NaN);
         const ends: Record<string, number> = { Home: 0, End: times.length - 1 };
         const to = ends[event.key] ?? index + stepsOf(event.key);
