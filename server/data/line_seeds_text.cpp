@@ -25,8 +25,11 @@ struct KindOfSeeds {
     bool distance;
 };
 
-constexpr std::array<KindOfSeeds, 5> kinds_of_seeds{
-    {{"line", 2, false}, {"plane", 3, false}, {"sphere", 1, true}, {"walls", 0, true}, {"along", 0, false}}};
+constexpr std::array<KindOfSeeds, 5> kinds_of_seeds{{{"line", 2, false},
+                                                     {"plane", 3, false},
+                                                     {"sphere", 1, true},
+                                                     {"walls", 0, true},
+                                                     {"along", 0, false}}};
 
 std::optional<double> distance_of(std::string_view text) {
     double number = 0.0;
