@@ -8,7 +8,8 @@ import { showsBeyondBody } from '../state/bodyPatches.ts';
 import type { ViewState } from '../state/viewState.ts';
 import type { WorkerClient } from '../worker/workerClient.ts';
 import type { ImportWait } from './importWait.ts';
-import { type Bodies, gridOf } from './picture/bodies.ts';
+import { gridOf } from './base/gridOf.ts';
+import type { Bodies } from './picture/bodies.ts';
 import { StepsHeld } from './time/cachedSteps.ts';
 
 const importPollMs = 1000;

@@ -3,6 +3,7 @@ import type { BodyMesh } from '../../mesh/meshChange.ts';
 import type { DatasetDescription } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { gridOf } from '../base/gridOf.ts';
 
 export class Bodies {
     private readonly state: Pick<AppState, 'datasets'>;
@@ -28,9 +29,4 @@ export class Bodies {
         });
         return mesh;
     }
-}
-
-/** Of the words that values are told from others by, that of the grid. */
-export function gridOf(values: string | undefined): string {
-    return (values ?? '').split(' ')[0]!;
 }

@@ -9,7 +9,7 @@ import type { AppState } from '../../state/appState.ts';
 import { type Patch, patchSpans } from '../../state/bodyPatches.ts';
 import { newBodyRake, type ViewState } from '../../state/viewState.ts';
 import type { RecordActions } from '../edits/recordActions.ts';
-import { gridOf } from '../picture/bodies.ts';
+import { gridOf } from '../base/gridOf.ts';
 import { liesOn, outlineOf, simplified, standOff, type Triangles, wayAlong, type WayPoint } from './bodyWay.ts';
 
 export interface BodyRakesOptions {
