@@ -1,5 +1,6 @@
 #include "core/surface/builder/vertex_attributes.hpp"
 #include "core/surface/measures/numbers_over_time.hpp"
+#include "core/surface/rake.hpp"
 #include "core/surface/request/surface_plan.hpp"
 #include "protocol/files/numbers_csv.hpp"
 #include "server/app/command_options.hpp"
@@ -54,30 +55,22 @@ struct Places {
 
 /// Returns points evenly along a line of straight pieces.
 Result<Places> along_line(const std::string& text, std::size_t count) {
-    std::vector<Vec3> corners;
-    std::vector<double> ends{0.0};
+    core::Rake line{core::Rake::Kind::Polyline, {}, 2};
     for (const std::string_view part : split(text, ':')) {
         const auto point = read_point(part, "--line");
         if (!point)
             return tl::unexpected(point.error());
-        if (!corners.empty())
-            ends.push_back(ends.back() + glm::length(*point - corners.back()));
-        corners.push_back(*point);
+        line.points.push_back(*point);
     }
-    const double length = ends.back();
-    if (!(length > 0.0) || !std::isfinite(length))
+    if (!core::check_rake(line))
         return fail(Error::Code::InvalidArgument, "--line: it has no length",
                     "two points or more with colons, as in 0,0,1:4,0,1");
+    const core::SeedingCurve curve(line);
     Places out;
-    std::size_t piece = 1;
     for (std::size_t i = 0; i < count; ++i) {
-        const double at = length * static_cast<double>(i) / static_cast<double>(count - 1);
-        while (piece + 1 < ends.size() && ends[piece] < at)
-            ++piece;
-        const double side = ends[piece] - ends[piece - 1];
-        const double part = side > 0.0 ? std::min(1.0, (at - ends[piece - 1]) / side) : 0.0;
-        out.distances.push_back(at);
-        out.points.push_back(glm::mix(corners[piece - 1], corners[piece], part));
+        const double part = static_cast<double>(i) / static_cast<double>(count - 1);
+        out.distances.push_back(part * curve.length());
+        out.points.push_back(curve.at(part));
     }
     return out;
 }

@@ -3,6 +3,7 @@
 #include "protocol/api/generated/names.hpp"
 #include "protocol/wire/lines_file.hpp"
 #include "server/base/limits.hpp"
+#include "server/base/split.hpp"
 #include "server/data/dataset_lines.hpp"
 #include "server/data/line_seeds_text.hpp"
 #include "server/net/download_request.hpp"
@@ -13,7 +14,6 @@
 #include <charconv>
 #include <chrono>
 #include <memory>
-#include <sstream>
 #include <stop_token>
 #include <utility>
 
@@ -38,16 +38,6 @@ core::Result<std::uint32_t> read_line_seeds(const std::string& text) {
                     fmt::format("`seeds` is not a whole number from 1 to {}", limits::line_seeds),
                     "?seeds=50 releases 50 lines");
     return seeds;
-}
-
-/// Names of patches, a line each.
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> out;
-    std::istringstream rest(text);
-    for (std::string line; std::getline(rest, line);)
-        if (!line.empty())
-            out.push_back(line);
-    return out;
 }
 
 core::Result<core::Direction> read_direction(const std::string& text) {

@@ -39,10 +39,8 @@ core::Result<NumbersRequest> read_numbers(const std::map<std::string, std::strin
                 return tl::unexpected(region.error());
             out.through = *region;
         } else if (name == "fields") {
-            // Names may have commas: a velocity of three scalars is "u, v, w".
-            for (const std::string_view field : split(value, '\n'))
-                if (!field.empty())
-                    out.fields.emplace_back(field);
+            // A velocity of three scalars is called "u, v, w".
+            out.fields = lines_of(value);
             if (out.fields.size() > limits::probe_fields)
                 return fail(Error::Code::InvalidArgument,
                             fmt::format("`fields` names more than {}", limits::probe_fields),

@@ -28,7 +28,7 @@ std::string& id_of(protocol::LinesRecord& record) {
     return record.lines;
 }
 
-/// The name of a field comes from the caller, as other arguments do.
+/// A field that is not there is a wrong argument here.
 template <class Found>
 core::Result<void> check_found(const core::Result<Found>& field) {
     if (field)
