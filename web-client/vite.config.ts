@@ -37,6 +37,25 @@ const shaderComments: Plugin = {
     transform: (code, id) => (/\/src\/scene\/.*\.ts$/.test(id) ? code.replace(/^ *(?:\/\/.*|\/\*\*[^]*?\*\/)$/gm, '') : null),
 };
 
+/** The page itself is fetched beside its first module, which imports it. */
+const fetchPageAtOnce: Plugin = {
+    name: 'fetch-page-at-once',
+    apply: 'build',
+    transformIndexHtml: {
+        order: 'post',
+        handler: (_html, { bundle = {} }) => {
+            const chunks = Object.values(bundle).filter((each) => each.type === 'chunk');
+            const page = chunks.find((each) => each.facadeModuleId?.endsWith('/src/main.ts'));
+            if (page === undefined) throw new Error('src/main.ts has no chunk of its own');
+            return [page.fileName, ...page.imports].map((name) => ({
+                tag: 'link',
+                attrs: { rel: 'modulepreload', crossorigin: true, href: `./${name}` },
+                injectTo: 'head',
+            }));
+        },
+    },
+};
+
 const notices = thirdPartyNotices();
 
 const resolve = {
@@ -50,7 +69,7 @@ const resolve = {
 export default defineConfig({
     base: './',
     resolve,
-    plugins: [pythonClient, shaderComments, notices.page, animationPage({ resolve, plugins: [shaderComments] })],
+    plugins: [pythonClient, shaderComments, fetchPageAtOnce, notices.page, animationPage({ resolve, plugins: [shaderComments] })],
     build: {
         target: 'es2022',
         outDir: 'dist',

@@ -2,13 +2,13 @@
 // newest state) -> scene/ (pixels); the path of an edit: scene/ or ui/ -> session/edits -> worker/. Each part
 // is made of parts that are made above it, and each panel is handed what it uses.
 import { computed } from '@preact/signals-core';
-import { OwnServer } from './connection/ownServer.ts';
 import { type Graphics, probeGraphics } from './scene/graphics.ts';
 import { FlowScene } from './scene/scene.ts';
 import type { ScreenPoint } from './scene/base/view.ts';
 import type { Beside, BesideOptions } from './session/compare/compare.ts';
 import { type Half, shownWords } from './session/compare/half.ts';
 import { Calls } from './session/base/calls.ts';
+import { connect, type Connected } from './session/connect.ts';
 import { ClockControl } from './session/time/clockControl.ts';
 import { Edits } from './session/edits/edits.ts';
 import { pictureIsCoarse } from './session/out/exportNames.ts';
@@ -40,16 +40,7 @@ import { Suggestions } from './session/sessions/defaultScene.ts';
 import { connectRakes, showRakes } from './session/picture/rakesInPicture.ts';
 import { dispatchWorkerEvent, ServerEvents } from './session/serverEvents.ts';
 import { SessionController } from './session/sessionController.ts';
-import {
-    baseUrl,
-    followHistory,
-    openFragment,
-    readFragment,
-    readNewLink,
-    showFragment,
-    type UrlState,
-    writeFragment,
-} from './session/view/urlState.ts';
+import { followHistory, openFragment, readNewLink } from './session/view/urlState.ts';
 import { OwnCopy } from './session/sessions/ownCopy.ts';
 import { SessionList } from './session/sessions/sessionList.ts';
 import { SurfaceOutcomes, SurfaceProgress } from './session/surface/surfaceProgress.ts';
@@ -72,7 +63,6 @@ import { loadPlots } from './ui/plots/loadPlots.ts';
 import { loadBodyRakes } from './ui/rake/loadBodyRakes.ts';
 import { loadLines } from './ui/lines/loadLines.ts';
 import { loadSlices } from './ui/slices/loadSlices.ts';
-import { WorkerClient } from './worker/workerClient.ts';
 
 const noWebGl2 =
     'This browser does not offer WebGL2, which the picture needs. Use a current browser, and allow ' +
@@ -89,15 +79,13 @@ interface Page extends Beside {
 }
 
 /** @param beside of the right half of a comparison; null: this is the page itself */
-function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOptions | null): Page {
+function start(app: App, { url, server, worker }: Connected, graphics: Graphics, beside: BesideOptions | null): Page {
     const state = new AppState();
     const view = new ViewState();
     const latency = new LatencyLog();
     const { canvas, labels } = app;
     const scene = new FlowScene({ canvas, labels, graphics });
     const requestFrame = scene.loop.request;
-    const worker = new WorkerClient(() => scene.movingResolution.sparing);
-    const server = new OwnServer(baseUrl(), url.session);
     const edits = new Edits({ state, worker, latency, requestFrame, dragging: () => scene.interaction.dragging });
     const people = new People({ state, view, worker, controls: scene.controls, requestFrame });
     const calls = new Calls(state, worker, {
@@ -298,9 +286,9 @@ function start(app: App, url: UrlState, graphics: Graphics, beside: BesideOption
         const other = server.ended(login, session());
         if (other !== null) worker.takeLogin(other);
     };
-    const shown = { token: url.token, login: server.login };
-    worker.start(server.base, shown, (event) =>
-        dispatchWorkerEvent(event, { state, feed, events, controller, server, loginEnded }),
+    worker.listen(
+        () => scene.movingResolution.sparing,
+        (event) => dispatchWorkerEvent(event, { state, feed, events, controller, server, loginEnded }),
     );
     const end = (): void => {
         removeEventListener('online', retryNow);
@@ -320,17 +308,18 @@ function besideOf(left: Half, right: Page | null): BesideFigure | null {
 function openBeside(options: BesideOptions): Page {
     const graphics = probeGraphics();
     if (graphics === null) throw new Error(noWebGl2);
-    return start(new App(), options.url, graphics, options);
+    return start(new App(), connect(options.url), graphics, options);
 }
 
-function startPage(app: App): void {
-    const url = readFragment(location.hash);
-    // The token must not stay in the address bar, in the history or in a link that is passed on.
-    showFragment(writeFragment(url.session, url.dataset, new URLSearchParams(location.hash.slice(1)).get('state')));
+/** Makes the page where the document has a place for it. */
+export function startPage(connected: Connected): void {
+    const app = document.querySelector('wakesurf-app');
+    if (!(app instanceof App)) return;
     const graphics = probeGraphics();
-    if (graphics === null) app.fail(noWebGl2);
-    else start(app, url, graphics, null);
+    if (graphics !== null) {
+        start(app, connected, graphics, null);
+        return;
+    }
+    connected.worker.stop();
+    app.fail(noWebGl2);
 }
-
-const app = document.querySelector('wakesurf-app');
-if (app instanceof App) startPage(app);

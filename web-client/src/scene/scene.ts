@@ -73,6 +73,7 @@ export class FlowScene {
     private readonly sampled: SampledPicture;
     private readonly smoothness = new Stillness(() => this.loop.requestBetter(), restMs);
     private held = false;
+    private sized = false;
     private exactWhenStill = false;
     private contactShade = true;
     private exactNext = false;
@@ -410,24 +411,28 @@ export class FlowScene {
     }
 
     private drawFrame(finished: () => void, changed: boolean): void {
-        if (changed || this.exactNext || this.sharpNext) this.redraw(finished);
+        if (!this.sized) finished();
+        else if (changed || this.exactNext || this.sharpNext) this.redraw(finished);
         else if (this.samples > 0 && !this.isAtRest && !this.held) this.drawSmoother(finished);
         else finished();
     }
 
     private redraw(finished: () => void): void {
         const begun = performance.now();
-        const moving = !this.exactNext && !this.sharpNext && this.movement.at(begun);
+        // What an empty picture and the first one take says nothing: programs are compiled, and another size would be waited for.
+        const first = this.firstPictureMs === null;
+        const quick = !this.exactNext && !this.sharpNext && (first || this.movement.at(begun));
+        const moving = quick && !first;
         this.setPixelRatio(moving ? this.movingResolution.ratio : this.fullRatio);
         this.surfaces.setDoors(moving && this.movingResolution.sparing);
         this.rest.drawn(false);
         this.smoothness.drawn(false);
         this.sampled.begin();
-        this.draw(this.exactNext, null, moving ? null : 0);
+        this.draw(this.exactNext, null, quick ? null : 0);
         this.surfaces.setDoors(false);
         ++this.framesDrawn;
         this.stillness.drawn(this.awaitsExact);
-        if (!moving) this.sampled.add(this.controls.camera);
+        if (!quick) this.sampled.add(this.controls.camera);
         [this.exactNext, this.sharpNext] = [false, false];
         const listeners = this.afterNextFrame.splice(0);
         whenDrawn(this.renderer.getContext() as WebGL2RenderingContext, (time) => {
@@ -454,7 +459,7 @@ export class FlowScene {
         this.movement.drawn(time);
         if (movingMs !== null) this.movingResolution.drawn(movingMs);
         const atLeastMs = Math.min(longestRestMs, picturesOfRest * (movingMs ?? 0));
-        this.rest.drawn(this.pixelRatio < this.fullRatio, atLeastMs);
+        this.rest.drawn(this.samples === 0, atLeastMs);
         this.smoothness.drawn(this.samples > 0 && !this.awaitsExact);
     }
 
@@ -483,7 +488,8 @@ export class FlowScene {
         this.renderer.setSize(width, height, false);
         this.controls.resized(width / height);
         // At once: the canvas is blank after a change of size.
-        this.draw();
+        if (this.sized) this.draw();
+        this.sized = true;
         this.loop.request();
     }
 }

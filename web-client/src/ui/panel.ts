@@ -10,7 +10,6 @@ import './view/bookmarksPanel.ts';
 import type { BookmarksModel } from './view/bookmarksPanel.ts';
 import './datasetHead.ts';
 import type { DatasetHeadModel } from './datasetHead.ts';
-import './out/copyAs.ts';
 import './help/helpDialog.ts';
 import type { HelpModel } from './help/helpDialog.ts';
 import type { OwnCopy } from '../session/sessions/ownCopy.ts';
@@ -42,7 +41,6 @@ import type { SlicesModel } from './slices/slicesPanel.ts';
 import './view/surroundingsPanel.ts';
 import type { ToolsModel } from './view/viewButtons.ts';
 import type { SurroundingsModel } from './view/surroundingsPanel.ts';
-import './out/pictureExport.ts';
 import type { FilmExportModel, PictureExportModel } from './out/pictureExport.ts';
 import { chosenMesh, type MeshExportModel } from './out/meshExport.ts';
 import type { AnimationExportModel } from './out/animationExport.ts';
@@ -60,8 +58,8 @@ export interface ExportModel {
     animation: AnimationExportModel;
 }
 
-// Opened on demand.
-void import('./out/animationExport.ts');
+// Opened on demand, in one file of the bundle.
+void import('./out/openedExports.ts');
 
 function exportBody(model: ExportModel): TemplateResult {
     return html`

@@ -1,6 +1,6 @@
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { FakeClock } from '../testing/fakes.ts';
-import { HangPauses, Watchdog } from './workerClient.ts';
+import { HangPauses, Watchdog, WorkerClient } from './workerClient.ts';
 
 class Bench {
     clock = new FakeClock();
@@ -85,5 +85,42 @@ describe('a page of which the worker hangs again and again', () => {
         expect(waited.at(-1)).toBe(10_000);
         await clock.pass(60_000);
         expect(pauses.next()).toBe(waited[0]);
+    });
+});
+
+class FakeWorker {
+    static last: FakeWorker;
+    onmessage: (message: { data: unknown }) => void = () => undefined;
+    posted: unknown[] = [];
+
+    constructor() {
+        FakeWorker.last = this;
+    }
+
+    postMessage(message: unknown): void {
+        this.posted.push(message);
+    }
+
+    terminate(): void {}
+}
+
+describe('WorkerClient', () => {
+    afterEach(() => vi.unstubAllGlobals());
+
+    it('connects before the page is there, which hears of all that has happened, once and in order', () => {
+        vi.stubGlobal('Worker', FakeWorker);
+        const client = new WorkerClient('http://localhost/', { token: 'secret', login: null });
+        const worker = FakeWorker.last;
+        expect(worker.posted).toEqual([{ type: 'start', baseUrl: 'http://localhost/', token: 'secret', login: null }]);
+        const events = ['connecting', 'open', 'waiting'].map((state) => ({ type: 'connection', state }));
+        for (const data of events.slice(0, 2)) worker.onmessage({ data });
+        const heard: unknown[] = [];
+        client.listen(
+            () => false,
+            (event) => heard.push(event),
+        );
+        worker.onmessage({ data: events[2] });
+        expect(heard).toEqual(events);
+        client.stop();
     });
 });

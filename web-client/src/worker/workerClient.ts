@@ -35,26 +35,33 @@ export class WorkerClient {
     private worker: Worker;
     private nextId = 1;
     private readonly pauses = new HangPauses(systemClock);
-    private origin: { baseUrl: string; token: string | null; login: string | null } | null = null;
-    private onEvent: (event: WorkerEvent) => void = () => undefined;
+    private origin: { baseUrl: string; token: string | null; login: string | null } | null;
+    private isSlow = (): boolean => true;
+    private early: WorkerEvent[] = [];
+    private onEvent = (event: WorkerEvent): void => void this.early.push(event);
 
-    /** @param isSlow of a page that draws less than it should, for want of processor time */
-    constructor(isSlow: () => boolean) {
+    /** Connects, and stays connected. */
+    constructor(baseUrl: string, shown: Credentials) {
+        this.origin = { baseUrl, ...shown };
         this.worker = this.makeWorker();
+        this.connect();
         this.watchdog = new Watchdog({
             clock: systemClock,
-            isSlow,
+            isSlow: () => this.isSlow(),
             ask: () => this.post({ type: 'areYouThere' }),
             onHang: () => this.replaceWorker(),
         });
     }
 
-    /** Connects, and stays connected. `onEvent` hears of everything that is no answer to a call, from now
-     *  on. */
-    start(baseUrl: string, shown: Credentials, onEvent: (event: WorkerEvent) => void): void {
+    /**
+     * Hears of everything that is no answer to a call: at once of what came before.
+     * @param isSlow of a page that draws less than it should, for want of processor time. Until it is known, the page is
+     * being parsed, and everything is late.
+     */
+    listen(isSlow: () => boolean, onEvent: (event: WorkerEvent) => void): void {
+        this.isSlow = isSlow;
         this.onEvent = onEvent;
-        this.origin = { baseUrl, ...shown };
-        this.connect();
+        for (const event of this.early.splice(0)) onEvent(event);
     }
 
     private connect(): void {
