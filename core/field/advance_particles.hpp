@@ -2,15 +2,12 @@
 // result is the same for any number of threads.
 #pragma once
 
+#include "core/base/for_each_index.hpp"
 #include "core/dataset/missing_bricks.hpp"
 #include "core/field/field_in_series.hpp"
 #include "core/field/look_ahead.hpp"
 #include "core/integrate/advance_particle.hpp"
 #include "core/integrate/cursor_of.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
@@ -19,21 +16,18 @@
 namespace wakesurf::core {
 
 /// Calls `advance(begin, end)` for ranges of particles, which are small: the few that are traced again have
-/// the longest ways. Returns false if `stop` fired. Isolated: a thread that waits here takes no work of
-/// another surface.
+/// the longest ways. Returns false if `stop` fired.
 template <class Advance>
 bool in_ranges(std::size_t count,
                const std::stop_token& stop,
                const Advance& advance,
                std::size_t least = 16) {
     std::atomic<bool> whole{true};
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least), [&](const auto& range) {
-            if (stop.stop_requested())
-                whole = false;
-            if (whole.load(std::memory_order_relaxed))
-                advance(range.begin(), range.end());
-        });
+    for_each_range(count, least, [&](std::size_t begin, std::size_t end) {
+        if (stop.stop_requested())
+            whole = false;
+        if (whole.load(std::memory_order_relaxed))
+            advance(begin, end);
     });
     return whole;
 }

@@ -1,5 +1,6 @@
 #include "core/surface/moving/clipping.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
 
 #include <algorithm>
@@ -267,16 +268,15 @@ std::vector<EdgeCrossing> edges_to_the_dead(const RefinementContext& context,
                                             std::span<const TriangleId> candidates) {
     const MovingMesh& mesh = context.mesh;
     const auto& ids = mesh.vertices.id;
-    std::vector<EdgeCrossing> edges;
-    for (const TriangleId t : candidates) {
-        if (!mesh.triangles[t].live)
-            continue;
-        for (unsigned k = 0; k < 3; ++k) {
-            const VertexId a = mesh.triangles[t].begin(k), b = mesh.triangles[t].end(k);
+    const auto add = [&](std::size_t i, std::vector<EdgeCrossing>& found) {
+        const Triangle& t = mesh.triangles[candidates[i]];
+        for (unsigned k = 0; t.live && k < 3; ++k) {
+            const VertexId a = t.begin(k), b = t.end(k);
             if (mesh.vertices.dead(a) != mesh.vertices.dead(b))
-                edges.push_back(mesh.vertices.dead(a) ? EdgeCrossing{b, a} : EdgeCrossing{a, b});
+                found.push_back(mesh.vertices.dead(a) ? EdgeCrossing{b, a} : EdgeCrossing{a, b});
         }
-    }
+    };
+    std::vector<EdgeCrossing> edges = gather<EdgeCrossing>(candidates.size(), add);
     const auto key = [&](const EdgeCrossing& e) { return std::pair(ids[e.living], ids[e.dead]); };
     std::sort(edges.begin(), edges.end(),
               [&](const EdgeCrossing& p, const EdgeCrossing& q) { return key(p) < key(q); });
@@ -293,12 +293,13 @@ void clip(const RefinementContext& context,
           const std::function<VertexId(const EdgeCrossing& crossing)>& insert) {
     MovingMesh& mesh = context.mesh;
     MaterialTriangles& triangles = mesh.triangles;
-    std::vector<VertexId> dead;
-    for (const TriangleId t : candidates)
-        if (triangles[t].live)
-            for (const VertexId v : triangles[t].vertex)
+    const auto add = [&](std::size_t i, std::vector<VertexId>& found) {
+        if (const Triangle& t = triangles[candidates[i]]; t.live)
+            for (const VertexId v : t.vertex)
                 if (mesh.vertices.dead(v))
-                    dead.push_back(v);
+                    found.push_back(v);
+    };
+    std::vector<VertexId> dead = gather<VertexId>(candidates.size(), add);
     for (const EdgeCrossing& crossing : crossings) {
         if (!crossing.found)
             continue;

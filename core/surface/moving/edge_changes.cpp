@@ -1,5 +1,6 @@
 #include "core/surface/moving/edge_changes.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/split_criteria.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
@@ -26,9 +27,8 @@ double cotangent(double p, double q, double across) {
            std::sqrt(std::max(4.0 * p * q - twice_dot * twice_dot, 1e-12 * p * q + 1e-300));
 }
 
-} // namespace
-
-bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
+/// As should_flip(), by what the two triangles and their vertices are: it stays so until one of them is turned.
+bool is_worth_flipping(const RefinementContext& context, TriangleId t, unsigned k) {
     const MovingMesh& mesh = context.mesh;
     const Triangle& here = mesh.triangles[t];
     const TriangleId u = here.across[k];
@@ -74,25 +74,53 @@ bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
     if (bridging_after == bridging_before && bulges(context, c, d, 0.8) &&
         squared(edge_bend(mesh, c, d)) > squared(edge_bend(mesh, a, b)))
         return false;
-    return mesh.triangles.find(c, d).triangle == no_triangle &&
-           mesh.triangles.find(d, c).triangle == no_triangle &&
-           !crosses_obstacle(context, c, d, cd);
+    return !crosses_obstacle(context, c, d, cd);
+}
+
+} // namespace
+
+bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
+    const MaterialTriangles& triangles = context.mesh.triangles;
+    if (!is_worth_flipping(context, t, k))
+        return false;
+    const VertexId c = triangles[t].opposite(k), d = triangles.opposite_beyond(t, k);
+    return triangles.find(c, d).triangle == no_triangle &&
+           triangles.find(d, c).triangle == no_triangle;
 }
 
 void flip_all(const RefinementContext& context, std::vector<TriangleId>& queue) {
     MaterialTriangles& triangles = context.mesh.triangles;
-    const std::size_t most = queue.size() * 20 + 1000;
+    const std::size_t asked = queue.size(), most = asked * 20 + 1000;
+    // Most are refused, which is found in parallel first.
+    std::vector<std::uint8_t> worth(asked, 0); // bits of edges
+    for_each_index(
+        asked,
+        [&](std::size_t i) {
+            for (unsigned k = 0; k < 3 && triangles[queue[i]].live; ++k)
+                worth[i] |= static_cast<std::uint8_t>(is_worth_flipping(context, queue[i], k) << k);
+        },
+        few_triangles);
+    std::vector<std::uint8_t> turned; // of triangle slots, once one is
+    const auto is_as_asked = [&](std::size_t i, unsigned k) {
+        const TriangleId u = triangles[queue[i]].across[k];
+        return i < asked &&
+               (turned.empty() || (turned[queue[i]] == 0 && (u == no_triangle || turned[u] == 0)));
+    };
     for (std::size_t i = 0; i < queue.size() && i < most && !context.stop.stop_requested(); ++i) {
         const TriangleId t = queue[i];
         if (!triangles[t].live)
             continue;
-        for (unsigned k = 0; k < 3; ++k)
-            if (should_flip(context, t, k)) {
-                queue.push_back(t);
-                queue.push_back(triangles[t].across[k]);
-                triangles.flip(t, k);
-                break;
+        for (unsigned k = 0; k < 3; ++k) {
+            if ((is_as_asked(i, k) && (worth[i] >> k & 1) == 0) || !should_flip(context, t, k))
+                continue;
+            turned.resize(triangles.slots().size());
+            for (const TriangleId each : {t, triangles[t].across[k]}) {
+                turned[each] = 1;
+                queue.push_back(each);
             }
+            triangles.flip(t, k);
+            break;
+        }
     }
     queue.clear();
 }
@@ -196,11 +224,11 @@ std::vector<WantedCut>
 wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candidates, bool shape) {
     const MovingMesh& mesh = context.mesh;
     const auto& ids = mesh.vertices.id;
-    std::vector<WantedCut> wanted;
-    for (const TriangleId t : candidates) {
+    const auto add = [&](std::size_t i, std::vector<WantedCut>& wanted) {
+        const TriangleId t = candidates[i];
         const Triangle& here = mesh.triangles[t];
         if (!here.live || context.stop.stop_requested())
-            continue;
+            return;
         if (const auto k = shape ? shortcut_to_cut(context, t) : std::nullopt) {
             const VertexId a = here.begin(*k), b = here.end(*k);
             wanted.push_back({squared_length(mesh, a, b), a, b, ids[a], ids[b], false});
@@ -219,7 +247,8 @@ wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candid
                 shape && context.rules.cosine > -1.0 && u != no_triangle && bends(context, t, u))
                 add_bend(context, t, u, wanted);
         }
-    }
+    };
+    std::vector<WantedCut> wanted = gather<WantedCut>(candidates.size(), add, few_triangles);
     for (WantedCut& edge : wanted) {
         edge.length = std::round(1e6 * edge.length / context.squared_separation());
         if (!(edge.length >= 0.0)) // no number has no place in an order

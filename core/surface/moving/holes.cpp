@@ -1,5 +1,6 @@
 #include "core/surface/moving/holes.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/moving/split_criteria.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
 
@@ -29,11 +30,13 @@ std::vector<Loop> borders(const MovingMesh& mesh) {
         bool seen;
     };
 
-    std::vector<Open> open;
-    for (const Triangle& t : mesh.triangles.slots())
+    const auto slots = mesh.triangles.slots();
+    auto open = gather<Open>(slots.size(), [&](std::size_t i, std::vector<Open>& found) {
+        const Triangle& t = slots[i];
         for (unsigned k = 0; t.live && k < 3; ++k)
             if (t.across[k] == no_triangle)
-                open.push_back({t.begin(k), t.end(k), false});
+                found.push_back({t.begin(k), t.end(k), false});
+    });
     const auto before = [&](const Open& edge, std::uint32_t id) { return ids[edge.from] < id; };
     std::sort(open.begin(), open.end(),
               [&](const Open& p, const Open& q) { return ids[p.from] < ids[q.from]; });

@@ -1,5 +1,6 @@
 #include "core/surface/moving/joins.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/moving/edge_changes.hpp"
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/split_criteria.hpp"
@@ -223,20 +224,21 @@ std::vector<Short> short_edges(const RefinementContext& context,
                                std::span<const TriangleId> triangles) {
     const MovingMesh& mesh = context.mesh;
     const auto& ids = mesh.vertices.id;
-    std::vector<Short> edges;
-    for (const TriangleId t : triangles) {
+    const auto add = [&](std::size_t i, std::vector<Short>& found) {
+        const TriangleId t = triangles[i];
         const Triangle& here = mesh.triangles[t];
         if (!here.live || context.stop.stop_requested())
-            continue;
+            return;
         each_edge_to_join(context, t, [&](unsigned k, double square) {
             const VertexId a = here.begin(k), b = here.end(k);
             const double length = std::round(1e6 * square / context.squared_separation());
             if (ids[a] < ids[b])
-                edges.push_back({length, a, b, ids[a], ids[b]});
+                found.push_back({length, a, b, ids[a], ids[b]});
             else
-                edges.push_back({length, b, a, ids[b], ids[a]});
+                found.push_back({length, b, a, ids[b], ids[a]});
         });
-    }
+    };
+    std::vector<Short> edges = gather<Short>(triangles.size(), add, few_triangles);
     std::sort(edges.begin(), edges.end(), [](const Short& x, const Short& y) {
         return std::tie(x.length, x.id_a, x.id_b) < std::tie(y.length, y.id_a, y.id_b);
     });

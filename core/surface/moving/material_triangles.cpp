@@ -55,7 +55,8 @@ void MaterialTriangles::remove(TriangleId t) {
         }
     for (unsigned k = 0; k < 3; ++k) {
         const VertexId v = gone.vertex[k];
-        --uses_[v];
+        if (--uses_[v] == 0)
+            left_.push_back(v);
         if (of_[v] != t)
             continue;
         // The edges from v and to v lead to the others that have it.
@@ -118,11 +119,19 @@ bool MaterialTriangles::one_fan(VertexId v) const {
 MaterialTriangles::Edge MaterialTriangles::find(VertexId a, VertexId b) const {
     if (unused(a))
         return {no_triangle, 0};
-    std::vector<TriangleId> round;
-    fan(a, round);
-    for (const TriangleId t : round)
-        if (const unsigned k = slots_[t].edge_from(a); slots_[t].end(k) == b)
-            return {t, k};
+    const TriangleId first = of_[a];
+    for (const unsigned way :
+         {0u, 2u}) // clockwise, and the other way from the first where there is a boundary
+        for (TriangleId t = first;;) {
+            const unsigned k = slots_[t].edge_from(a);
+            if (slots_[t].end(k) == b)
+                return {t, k};
+            t = slots_[t].across[(k + way) % 3];
+            if (t == first)
+                return {no_triangle, 0};
+            if (t == no_triangle)
+                break;
+        }
     return {no_triangle, 0};
 }
 
@@ -326,8 +335,9 @@ void MaterialTriangles::collapse(VertexId gone, VertexId kept, std::span<const T
             relink(q, t, p);
             touched_.push_back(q);
         }
-        --uses_[apex];
         --uses_[kept];
+        if (--uses_[apex] == 0)
+            left_.push_back(apex);
         of_[apex] = of_[kept] = p != no_triangle ? p : q;
         slots_[t].live = false;
         free_.push_back(t);
@@ -337,6 +347,7 @@ void MaterialTriangles::collapse(VertexId gone, VertexId kept, std::span<const T
             of_[kept] = t;
     of_[gone] = no_triangle;
     uses_[gone] = 0;
+    left_.push_back(gone);
     zip(kept);
 }
 
@@ -405,6 +416,7 @@ void MaterialTriangles::part(TriangleId t) {
     if (here.mate == Triangle::alone)
         return;
     if (here.odd()) {
+        left_.push_back(here.hanging);
         here.hanging = no_vertex;
         --odd_;
     } else {
@@ -441,6 +453,7 @@ void MaterialTriangles::renumber(std::span<const TriangleId> order,
     free_.clear();
     touched_.clear();
     loose_.clear();
+    left_.clear();
     of_.assign(last + 1, no_triangle);
     uses_.assign(last + 1, 0);
     for (TriangleId t = 0; t < slots_.size(); ++t)

@@ -137,6 +137,9 @@ class MaterialTriangles {
     /// ones among them.
     std::vector<TriangleId>& loose() { return loose_; }
 
+    /// Vertices that no triangle has any more, or that hang on none, since the list was last cleared; some again used.
+    std::vector<VertexId>& left() { return left_; }
+
     std::uint32_t take_id() { return next_id_++; }
 
     std::uint32_t next_id() const { return next_id_; }
@@ -151,7 +154,7 @@ class MaterialTriangles {
     std::size_t bytes() const {
         return slots_.capacity() * sizeof(Triangle) + free_.capacity() * sizeof(TriangleId) +
                of_.capacity() * sizeof(TriangleId) + uses_.capacity() * sizeof(std::uint16_t) +
-               (touched_.capacity() + loose_.capacity()) * sizeof(TriangleId);
+               (touched_.capacity() + loose_.capacity() + left_.capacity()) * sizeof(TriangleId);
     }
 
     /// Returns the first violation of what keeps the links sound, or nothing: those of neighbours answer each
@@ -177,6 +180,7 @@ class MaterialTriangles {
     std::vector<std::uint16_t> uses_; ///< of vertex slots: by triangles
     std::vector<TriangleId> touched_;
     std::vector<TriangleId> loose_;
+    std::vector<VertexId> left_;
     std::size_t odd_ = 0;
     bool contacts_ = false;
     std::uint32_t next_id_ = 0;

@@ -45,6 +45,8 @@ VertexId MaterialVertices::add(const MaterialPoint& point, VertexRole as, double
     end[v] = as == VertexRole::Attached ? CurveEnd::Time : CurveEnd::Running;
     id[v] = next_id_++;
     role[v] = as;
+    if (as == VertexRole::Free)
+        fresh_.push_back(v);
     return v;
 }
 
@@ -90,10 +92,11 @@ void MaterialVertices::renumber(std::span<const VertexId> order) {
         array = std::move(sorted);
     });
     free_.clear();
+    fresh_.clear();
 }
 
 std::size_t MaterialVertices::bytes() const {
-    std::size_t sum = free_.capacity() * sizeof(VertexId);
+    std::size_t sum = (free_.capacity() + fresh_.capacity()) * sizeof(VertexId);
     for_each_array(const_cast<MaterialVertices&>(*this),
                    [&](auto& array) { sum += array.capacity() * sizeof(array[0]); });
     return sum;

@@ -96,6 +96,11 @@ class MaterialVertices {
                !(role[v] == VertexRole::Attached && end[v] == CurveEnd::Time);
     }
 
+    /// Free, and under way.
+    bool running(VertexId v) const {
+        return role[v] == VertexRole::Free && end[v] == CurveEnd::Running;
+    }
+
     /// Moves each vertex to the slot it has in `order`, which names every used one once.
     void renumber(std::span<const VertexId> order);
 
@@ -121,8 +126,11 @@ class MaterialVertices {
     std::vector<VertexError> error;
     std::vector<std::uint32_t> cell; ///< of a mesh of cells: see Particles
 
+    /// Free vertices that have been made or released since the list was last cleared: perhaps nothing has used them yet.
+    std::vector<VertexId>& fresh() { return fresh_; }
+
   private:
-    std::vector<VertexId> free_;
+    std::vector<VertexId> free_, fresh_;
     std::uint32_t next_id_ = 0;
 };
 

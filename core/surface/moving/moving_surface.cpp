@@ -1,5 +1,6 @@
 #include "core/surface/moving/moving_surface.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/integrate/advance_particle.hpp"
 #include "core/surface/budget_search.hpp"
 #include "core/surface/moving/refinement.hpp"
@@ -44,14 +45,14 @@ void end_the_old(MovingMesh& mesh, const SurfaceParameters& p) {
     if (!p.life)
         return;
     MaterialVertices& v = mesh.vertices;
-    for (VertexId i = 0; i < v.slots(); ++i) {
+    for_each_index(v.slots(), [&](std::size_t i) {
         const double release = p.kind == SurfaceKind::Time ? p.from : v.t[i];
-        if (v.role[i] != VertexRole::Free || v.dead(i) ||
+        if (!v.running(static_cast<VertexId>(i)) ||
             !(std::abs(mesh.time - release) > *p.life * (1.0 + 1e-12)))
-            continue;
+            return;
         v.end[i] = CurveEnd::Time;
         v.time[i] = release + time_sign(p) * *p.life;
-    }
+    });
 }
 
 double elapsed(const Clock& clock, std::chrono::steady_clock::time_point since) {
@@ -252,18 +253,15 @@ Result<void> MovingSurface::sample_velocity(const std::stop_token& stop) {
             flow_->sample_at(v.position, state_.mesh.time, v.velocity, stop, smooth, v.cell);
         !sampled)
         return sampled;
-    std::vector<VertexId> attached;
-    for (VertexId i = 0; i < v.slots(); ++i)
-        if (v.role[i] == VertexRole::Attached)
-            attached.push_back(i);
-    std::vector<Vec3> places, leaving(attached.size());
-    for (const VertexId i : attached)
+    const std::vector<VertexId> row = attached(state_.mesh);
+    std::vector<Vec3> places, leaving(row.size());
+    for (const VertexId i : row)
         places.push_back(v.position[i]);
-    const std::vector<double> now(attached.size(), state_.mesh.time);
+    const std::vector<double> now(row.size(), state_.mesh.time);
     if (auto sampled = flow_->sample(places, now, leaving, stop, smooth); !sampled)
         return sampled;
-    for (std::size_t k = 0; k < attached.size(); ++k) {
-        const VertexId i = attached[k];
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        const VertexId i = row[k];
         v.along_t[i] = -leaving[k];
         v.birth_area[i] = static_cast<float>(glm::length(glm::cross(v.along_s[i], v.along_t[i])));
     }
@@ -353,9 +351,8 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
     std::vector<VertexId> released;
     if (state_.releasing) {
         double fastest = 0.0;
-        for (VertexId i = 0; i < v.slots(); ++i)
-            if (v.role[i] == VertexRole::Attached)
-                fastest = std::max(fastest, double(glm::length(v.velocity[i])));
+        for (const VertexId i : attached(mesh))
+            fastest = std::max(fastest, double(glm::length(v.velocity[i])));
         fastest = of_step(fastest);
         const bool due =
             mesh.triangles.quads() == 0 ||
@@ -365,14 +362,10 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
         state_.row_travel = released.empty() ? state_.row_travel + fastest * dt : fastest * dt;
     }
 
-    double speed = 0.0;
-    std::uint64_t running = 0;
-    for (VertexId i = 0; i < v.slots(); ++i)
-        if (v.role[i] == VertexRole::Free && v.end[i] == CurveEnd::Running) {
-            speed = std::max(speed, double(glm::length(v.velocity[i])));
-            ++running;
-        }
-    speed = of_step(speed);
+    const double speed = of_step(largest(v.slots(), 0.0, [&](std::size_t i, double) {
+        return v.running(static_cast<VertexId>(i)) ? double(glm::length(v.velocity[i])) : 0.0;
+    }));
+    const std::uint64_t under_way = running(mesh);
     AdvanceOptions carry = state_.plan->carry;
     // Half a cell, or half a separation, whichever is less, in a step of RK4; fast takes it whole.
     const double reach =
@@ -382,7 +375,7 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
     if (!load)
         return tl::unexpected(load.error());
     state_.vertex_steps +=
-        running * static_cast<std::uint64_t>(std::max(1.0, std::ceil(dt / carry.step - 1e-9)));
+        under_way * static_cast<std::uint64_t>(std::max(1.0, std::ceil(dt / carry.step - 1e-9)));
     end_the_old(mesh, state_.plan->request.plan.parameters);
     count_the_dead(mesh, state_.fresh, state_.terminated);
     move_attached(mesh);

@@ -1,5 +1,6 @@
 #include "core/surface/moving/pairing.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
 
 #include <algorithm>
@@ -32,8 +33,8 @@ class Pairing {
     /// Returns the remembered score(). REQUIRES: remember_scores().
     float known_score(TriangleId t, unsigned k) {
         const TriangleId u = triangles_[t].across[k];
-        const std::uint64_t name = std::uint64_t{std::min(t, u)} << 32 | std::max(t, u);
-        Known& known = known_[(name ^ name >> 23) & (scores_kept - 1)];
+        const std::uint64_t name = name_of(t, u);
+        Known& known = known_[place_of(name)];
         if (known.name != name)
             known = {name, t < u ? score(t, k) : score(u, triangles_.facing(t, k))};
         return known.score;
@@ -126,13 +127,19 @@ class Pairing {
             unsigned k;
         };
 
-        std::vector<Candidate> candidates;
-        for (const TriangleId t : loose)
+        const auto add = [&](std::size_t i, std::vector<Candidate>& found) {
+            const TriangleId t = loose[i];
             for (unsigned k = 0; k < 3; ++k)
                 if (const TriangleId u = triangles_[t].across[k];
                     u != no_triangle && t < u && is_free(t) && is_free(u))
-                    if (const float here = known_score(t, k); here >= poor)
-                        candidates.push_back({here, t, k});
+                    found.push_back({score(t, k), t, k});
+        };
+        auto candidates = gather<Candidate>(loose.size(), add, few_triangles);
+        for (const Candidate& each : candidates) {
+            const std::uint64_t name = name_of(each.t, triangles_[each.t].across[each.k]);
+            known_[place_of(name)] = {name, each.score};
+        }
+        std::erase_if(candidates, [](const Candidate& each) { return !(each.score >= poor); });
         std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
             return std::tuple(-a.score, a.t, a.k) < std::tuple(-b.score, b.t, b.k);
         });
@@ -182,6 +189,14 @@ class Pairing {
     }
 
   private:
+    static std::uint64_t name_of(TriangleId t, TriangleId u) {
+        return std::uint64_t{std::min(t, u)} << 32 | std::max(t, u);
+    }
+
+    static std::size_t place_of(std::uint64_t name) {
+        return (name ^ name >> 23) & (scores_kept - 1);
+    }
+
     bool seen(TriangleId t) const { return searched_[t] == search_; }
 
     void come_from(TriangleId t, TriangleId before) {
@@ -330,10 +345,13 @@ void pair_all(const RefinementContext& context,
         rest = still_free(rest);
     }
     pairing.swap_pairs(all);
+    std::vector<VertexId>& fresh = context.mesh.vertices.fresh();
+    const std::size_t used = fresh.size();
     for (const TriangleId t : rest) {
         const unsigned k = side_to_halve(context, t);
         triangles.leave_odd(t, k, insert(t, k), triangles.take_id());
     }
+    fresh.resize(used); // the others hang on a triangle each
     triangles.loose().clear();
 }
 

@@ -1,5 +1,7 @@
 #include "core/surface/moving/refinement.hpp"
 
+#include "core/base/for_each_index.hpp"
+#include "core/base/radix_sort.hpp"
 #include "core/surface/moving/clipping.hpp"
 #include "core/surface/moving/edge_changes.hpp"
 #include "core/surface/moving/holes.hpp"
@@ -23,9 +25,13 @@ constexpr int most_cut_passes = 40;
 constexpr int shape_passes = 3;
 constexpr double coarsening = 1.1;
 constexpr double beside_middle = 0.49;
+constexpr std::size_t few_to_sort = 512; ///< for a radix sort, which clears its buckets
 
 std::vector<TriangleId> distinct(std::vector<TriangleId> triangles) {
-    std::sort(triangles.begin(), triangles.end());
+    if (triangles.size() < few_to_sort)
+        std::sort(triangles.begin(), triangles.end());
+    else
+        radix_sort(triangles, [](TriangleId t) { return t; });
     triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
     return triangles;
 }
@@ -341,9 +347,13 @@ Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
         return false;
     changed.insert(changed.end(), triangles.touched().begin(), triangles.touched().end());
     changed.insert(changed.end(), needs.pairing.begin(), needs.pairing.end());
-    for (const TriangleId t : distinct(std::move(changed)))
-        if (triangles[t].live && is_poor_pair(here, t))
-            triangles.part(t);
+    changed = distinct(std::move(changed));
+    const auto add_poor = [&](std::size_t i, std::vector<TriangleId>& found) {
+        if (triangles[changed[i]].live && is_poor_pair(here, changed[i]))
+            found.push_back(changed[i]);
+    };
+    for (const TriangleId t : gather<TriangleId>(changed.size(), add_poor, few_triangles))
+        triangles.part(t); // nothing, where its other half has been
     if (auto paired = pair(mesh); !paired)
         return tl::unexpected(paired.error());
     remove_unused_vertices(mesh);
@@ -353,14 +363,14 @@ Result<bool> Refinement::run(MovingMesh& mesh, std::stop_token stop, const WorkP
 }
 
 void remove_unused_vertices(MovingMesh& mesh) {
-    std::vector<std::uint8_t> hanging(mesh.vertices.slots(), 0);
-    for (const Triangle& t : mesh.triangles.slots())
-        if (t.live && t.odd())
-            hanging[t.hanging] = 1;
-    for (VertexId v = 0; v < hanging.size(); ++v)
-        if (mesh.triangles.unused(v) && hanging[v] == 0 &&
-            mesh.vertices.role[v] == VertexRole::Free)
+    std::vector<VertexId>& fresh = mesh.vertices.fresh();
+    std::vector<VertexId>& left = mesh.triangles.left();
+    left.insert(left.end(), fresh.begin(), fresh.end());
+    for (const VertexId v : distinct(std::move(left)))
+        if (mesh.triangles.unused(v) && mesh.vertices.role[v] == VertexRole::Free)
             mesh.vertices.remove(v);
+    left.clear();
+    fresh.clear();
 }
 
 void leave_out_dead(MovingMesh& mesh) {

@@ -45,6 +45,9 @@ struct RefinementRules {
     double coarsest = 1e300; ///< no further than this
 };
 
+/// Exact rules are asked in parallel for shares of so many triangles.
+inline constexpr std::size_t few_triangles = 64;
+
 struct RefinementContext {
     MovingMesh& mesh;
     const Flow& flow;

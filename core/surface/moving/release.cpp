@@ -1,9 +1,7 @@
 #include "core/surface/moving/release.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/moving/moving_plan.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,18 +38,19 @@ double fastest_growth(const MovingMesh& mesh, const Triangle& t, double shortest
 double
 step_length(const MovingMesh& mesh, double to, double separation, bool releasing, bool refines) {
     const MaterialVertices& v = mesh.vertices;
-    double rake_speed = 0.0;
-    double speed = 0.0;
-    for (VertexId i = 0; i < v.slots(); ++i) {
-        if (v.role[i] == VertexRole::Unused || v.dead(i))
-            continue;
-        const double here = glm::length(v.velocity[i]);
-        speed = std::max(speed, here);
-        if (v.role[i] == VertexRole::Attached)
-            rake_speed = std::max(rake_speed, here);
-    }
+    const auto fastest = [&](auto counts) {
+        return largest(v.slots(), 0.0, [&](std::size_t i, double) {
+            return counts(v.role[i]) && !v.dead(static_cast<VertexId>(i))
+                       ? double(glm::length(v.velocity[i]))
+                       : 0.0;
+        });
+    };
+    const double rake_speed =
+        releasing ? fastest([](VertexRole role) { return role == VertexRole::Attached; }) : 0.0;
     const double left = std::abs(to - mesh.time);
-    const double driving = releasing && rake_speed > 0.0 ? rake_speed : speed;
+    const double driving =
+        rake_speed > 0.0 ? rake_speed
+                         : fastest([](VertexRole role) { return role != VertexRole::Unused; });
     if (!(driving > 0.0))
         return left;
     const double row = row_spacing * separation / driving;
@@ -59,25 +58,28 @@ step_length(const MovingMesh& mesh, double to, double separation, bool releasing
         return std::min(left, row);
     const auto slots = mesh.triangles.slots();
     const double shortest = 0.1 * separation;
-    const double growth = tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, slots.size(), 4096), 0.0,
-        [&](const auto& range, double most) {
-            for (std::size_t i = range.begin(); i != range.end(); ++i)
-                if (slots[i].live)
-                    most = fastest_growth(mesh, slots[i], shortest, most);
-            return most;
-        },
-        [](double a, double b) { return std::max(a, b); });
+    const double growth = largest(slots.size(), 0.0, [&](std::size_t i, double most) {
+        return slots[i].live ? fastest_growth(mesh, slots[i], shortest, most) : most;
+    });
     const double safe = growth > 0.0 ? growth_a_step / growth : row;
     return std::min(left, std::clamp(safe, least_of_row * row, row));
+}
+
+std::vector<VertexId> attached(const MovingMesh& mesh) {
+    const auto& role = mesh.vertices.role;
+    return gather<VertexId>(
+        role.size(),
+        [&](std::size_t i, std::vector<VertexId>& found) {
+            if (role[i] == VertexRole::Attached)
+                found.push_back(static_cast<VertexId>(i));
+        },
+        16384);
 }
 
 std::vector<VertexId> release_row(MovingMesh& mesh) {
     MaterialVertices& v = mesh.vertices;
     std::vector<VertexId> row;
-    for (VertexId i = 0; i < v.slots(); ++i) {
-        if (v.role[i] != VertexRole::Attached)
-            continue;
+    for (const VertexId i : attached(mesh)) {
         if (v.dead(i)) { // inside an obstacle: never to be released, seeded again with the next row
             v.remove(i);
             continue;
@@ -86,6 +88,7 @@ std::vector<VertexId> release_row(MovingMesh& mesh) {
         v.end[i] = CurveEnd::Running;
         row.push_back(i);
     }
+    v.fresh().insert(v.fresh().end(), row.begin(), row.end());
     std::sort(row.begin(), row.end(),
               [&](VertexId a, VertexId b) { return v.place[a].column < v.place[b].column; });
     return row;
@@ -111,16 +114,15 @@ std::vector<double> places_behind(const MovingMesh& mesh,
 
 void move_attached(MovingMesh& mesh) {
     MaterialVertices& v = mesh.vertices;
-    for (VertexId i = 0; i < v.slots(); ++i)
-        if (v.role[i] == VertexRole::Attached)
-            v.t[i] = v.time[i] = mesh.time;
+    for (const VertexId i : attached(mesh))
+        v.t[i] = v.time[i] = mesh.time;
 }
 
 std::uint64_t running(const MovingMesh& mesh) {
     const MaterialVertices& v = mesh.vertices;
     std::uint64_t count = 0;
     for (VertexId i = 0; i < v.slots(); ++i)
-        count += v.role[i] == VertexRole::Free && v.end[i] == CurveEnd::Running;
+        count += v.running(i);
     return count;
 }
 
@@ -128,10 +130,12 @@ void count_the_dead(const MovingMesh& mesh,
                     std::uint32_t fresh,
                     SurfaceStatistics::Terminated& terminated) {
     const MaterialVertices& v = mesh.vertices;
-    for (VertexId i = 0; i < v.slots(); ++i)
-        if (v.role[i] == VertexRole::Free && v.end[i] != CurveEnd::Running && v.id[i] < fresh) {
-            terminated.add(v.end[i]);
-        }
+    const auto ends = gather<CurveEnd>(v.slots(), [&](std::size_t i, std::vector<CurveEnd>& found) {
+        if (v.role[i] == VertexRole::Free && v.end[i] != CurveEnd::Running && v.id[i] < fresh)
+            found.push_back(v.end[i]);
+    });
+    for (const CurveEnd end : ends)
+        terminated.add(end);
 }
 
 void sort_memory(MovingMesh& mesh, double share) {
@@ -143,13 +147,16 @@ void sort_memory(MovingMesh& mesh, double share) {
                : p.column != q.column ? p.column < q.column
                                       : v.id[a] < v.id[b];
     };
-    std::vector<VertexId> order;
-    std::size_t misplaced = 0;
-    for (VertexId i = 0; i < v.slots(); ++i)
-        if (v.role[i] != VertexRole::Unused) {
-            misplaced += !order.empty() && !before(order.back(), i);
-            order.push_back(i);
-        }
+    using Vertices = std::vector<VertexId>;
+    Vertices order = gather<VertexId>(v.slots(), [&](std::size_t i, Vertices& found) {
+        if (v.role[i] != VertexRole::Unused)
+            found.push_back(static_cast<VertexId>(i));
+    });
+    const auto jumps = gather<VertexId>(order.size(), [&](std::size_t i, Vertices& found) {
+        if (i > 0 && !before(order[i - 1], order[i]))
+            found.push_back(order[i]);
+    });
+    const std::size_t misplaced = jumps.size();
     const auto slots = mesh.triangles.slots();
     const std::size_t holes = slots.size() - mesh.triangles.live() + v.slots() - order.size();
     if (static_cast<double>(misplaced + holes) <= share * static_cast<double>(order.size()))

@@ -18,6 +18,9 @@ namespace wakesurf::core {
 double
 step_length(const MovingMesh& mesh, double to, double separation, bool releasing, bool refines);
 
+/// Returns the vertices on the rake, in the order of their slots.
+std::vector<VertexId> attached(const MovingMesh& mesh);
+
 /// Sets every living attached vertex free; returns them in order along the rake.
 std::vector<VertexId> release_row(MovingMesh& mesh);
 

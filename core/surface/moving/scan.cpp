@@ -37,6 +37,8 @@ constexpr std::uint32_t flag_any_long = 7 * flag_long;
 /// The loops take so many triangles through the same arithmetic side by side: the compiler makes vectors of
 /// the loops.
 constexpr std::size_t lanes = 16;
+/// So many blocks of triangles are done by one thread: 13 shares for 200,000 triangles were too few for 16 cores.
+constexpr std::size_t blocks_together = 64;
 using Floats = std::array<float, lanes>;
 
 enum State : std::uint8_t { gone = 1, near_wall = 2 };
@@ -194,16 +196,19 @@ void measure_triangles(const RefinementContext& context, MeshMetrics& metrics) {
         if (!context.stop.stop_requested())
             probe.measure_vertex(static_cast<VertexId>(v));
     });
-    for_each_index((slots.size() + lanes - 1) / lanes, [&](std::size_t block) {
-        std::array<TriangleId, lanes> some;
-        std::size_t count = 0;
-        for (std::size_t t = block * lanes; t < std::min((block + 1) * lanes, slots.size()); ++t) {
-            some[count] = static_cast<TriangleId>(t);
-            count += slots[t].live;
-        }
-        if (count > 0 && !context.stop.stop_requested())
-            probe.measure({some.data(), count});
-    });
+    for_each_index((slots.size() + lanes - 1) / lanes,
+                   [&](std::size_t block) {
+                       std::array<TriangleId, lanes> some;
+                       std::size_t count = 0;
+                       for (std::size_t t = block * lanes;
+                            t < std::min((block + 1) * lanes, slots.size()); ++t) {
+                           some[count] = static_cast<TriangleId>(t);
+                           count += slots[t].live;
+                       }
+                       if (count > 0 && !context.stop.stop_requested())
+                           probe.measure({some.data(), count});
+                   },
+                   blocks_together);
 }
 
 /// True where an edge from the vertex may meet a wall.
@@ -405,31 +410,30 @@ Needs scan(const RefinementContext& context, std::uint64_t turn, ScanMemory& mem
     measure_triangles(context, memory.metrics);
     memory.needs.assign(slots.size(), 0);
     const Scan scan(context, turn, memory);
-    for_each_index((slots.size() + at_once - 1) / at_once, [&](std::size_t block) {
-        std::array<TriangleId, at_once> some;
-        std::size_t count = 0;
-        const std::size_t end = std::min((block + 1) * at_once, slots.size());
-        for (std::size_t t = block * at_once; t < end; ++t) {
-            some[count] = static_cast<TriangleId>(t);
-            count += slots[t].live;
-        }
-        scan.fetch_neighbours(end, std::min(end + at_once, slots.size()));
-        if (!context.stop.stop_requested())
-            scan.measure({some.data(), count});
-    });
-    Needs found;
-    for (TriangleId t = 0; t < slots.size(); ++t) {
-        const std::uint8_t needs = memory.needs[t];
-        if ((needs & flipping) != 0)
-            found.flipping.push_back(t);
-        if ((needs & cutting) != 0)
-            found.cutting.push_back(t);
-        if ((needs & joining) != 0)
-            found.joining.push_back(t);
-        if ((needs & pairing) != 0)
-            found.pairing.push_back(t);
-    }
-    return found;
+    for_each_index((slots.size() + at_once - 1) / at_once,
+                   [&](std::size_t block) {
+                       std::array<TriangleId, at_once> some;
+                       std::size_t count = 0;
+                       const std::size_t end = std::min((block + 1) * at_once, slots.size());
+                       for (std::size_t t = block * at_once; t < end; ++t) {
+                           some[count] = static_cast<TriangleId>(t);
+                           count += slots[t].live;
+                       }
+                       scan.fetch_neighbours(end, std::min(end + at_once, slots.size()));
+                       if (!context.stop.stop_requested())
+                           scan.measure({some.data(), count});
+                   },
+                   blocks_together);
+    const auto with = [&](std::uint8_t need) {
+        return gather<TriangleId>(
+            slots.size(),
+            [&](std::size_t t, std::vector<TriangleId>& found) {
+                if ((memory.needs[t] & need) != 0)
+                    found.push_back(static_cast<TriangleId>(t));
+            },
+            16384);
+    };
+    return {with(flipping), with(cutting), with(joining), with(pairing)};
 }
 
 } // namespace wakesurf::core
