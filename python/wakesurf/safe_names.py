@@ -10,7 +10,7 @@ _LONGEST = 40  # letters, of at most four bytes; file systems take 255 bytes
 
 def safe_names(names: Sequence[str]) -> List[str]:
     """Returns a name of a file for each, below no other folder and hidden nowhere, different ones for different names, also where
-    letters differ in case alone; the same one in whatever company a name is. What has to be changed gets a checksum.
+    letters differ in case alone, and but for that the same one in whatever company a name is. What has to be changed gets a checksum.
 
     >>> safe_names(["wing", "y=0.5", "Wing"])
     ['wing', 'y=0.5', 'Wing-...']
@@ -21,8 +21,10 @@ def safe_names(names: Sequence[str]) -> List[str]:
     out = []
     for name in names:
         safe = re.sub(r"[^\w.=+,-]+", "-", name).strip("-. ")[:_LONGEST]
-        if safe != name or safe.casefold() in taken:
+        if safe != name or not safe or safe.casefold() in taken:
             safe = f"{safe}-{hashlib.sha256(name.encode(errors='surrogatepass')).hexdigest()[:10]}".lstrip("-")
+        while safe.casefold() in taken:
+            safe += "_"
         taken.add(safe.casefold())
         out.append(safe)
     return out
