@@ -45,7 +45,8 @@ Setting = Mapping[str, Any]
 @dataclass(frozen=True)
 class Study:
     """What a study has found. `rows`: a dictionary for each surface, and for each time of it if there are several, in the order of cases, settings
-    and rakes: their names, numbers (NaN where they are not known) with `notes`, and paths of files below `folder`; or `error`, in words."""
+    and rakes: their names, numbers (NaN where they are not known) with `notes`, paths of files below `folder`, and `error`, in words, or empty.
+    All have the same keys."""
 
     folder: str
     rows: List[Dict[str, Any]] = field(repr=False)
@@ -110,8 +111,8 @@ def study(rakes: Union[Mapping[str, AnyRake], Sequence[AnyRake]], cases: Union[M
 
     >>> lines = {f"{x:g}": [(x, 0.4, 0.1), (x, 0.6, 0.1)] for x in (0.4, 0.5, 9)}
     >>> found = wakesurf.study(lines, "flow:tornado", {"kind": "stream", "to": 2, "separation": 0.1}, "swirl")
-    >>> [row["area"] > 0.05 for row in found.rows], found.failures[0]["error"]
-    ([True, True, False], 'no point of the rake lies inside the domain...
+    >>> [row["area"] > 0.01 for row in found.rows], found.failures[0]["error"]
+    ([True, True, False], 'the rake lies outside the domain by 8 ...
     """
     work = _work(folder, files, times, through, fields, picture, url, store, binary, memory, threads, options, timeout)
     tasks = _Tasks(work, rakes, cases, settings)
@@ -272,20 +273,21 @@ class _Rows:
                               for i in range(len(numbers))]
 
     def all(self) -> Tuple[List[Dict[str, Any]], Dict[str, str]]:
-        return ([row for number in sorted(self._rows) for row in self._rows[number]],
+        rows = [row for number in sorted(self._rows) for row in self._rows[number]]
+        columns = dict.fromkeys(itertools.chain.from_iterable(rows))
+        columns["error"] = columns.pop("error", None)  # the last
+        blank = {name: math.nan if name in self._units else None for name in columns}
+        return ([{**blank, **row} for row in rows],
                 {name: next(iter(units)) for name, units in self._units.items() if len(units) == 1 and "" not in units})
 
 
 def _csv(found: Study) -> Iterator[bytes]:
     """Writes rows as spreadsheets read them; what is not known is empty."""
-    columns = list(dict.fromkeys(itertools.chain.from_iterable(found.rows)))
-    columns.remove("error")
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([*(f"{name} [{found.units[name]}]" if name in found.units else name for name in columns), "error"])
+    writer.writerow([f"{name} [{found.units[name]}]" if name in found.units else name for name in found.rows[0]])
     for row in found.rows:
-        writer.writerow(["" if isinstance(value, float) and math.isnan(value) else value
-                         for value in (row.get(name, "") for name in (*columns, "error"))])
+        writer.writerow(["" if isinstance(value, float) and math.isnan(value) else value for value in row.values()])
         yield text.getvalue().encode()
         text.seek(0)
         text.truncate()
