@@ -5,7 +5,7 @@ import os
 from collections import deque
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, ThreadPoolExecutor, wait
 from functools import partial
-from typing import Any, Callable, Deque, Dict, Iterator, Optional, Tuple, Union
+from typing import Any, Callable, Deque, Dict, Generator, Iterator, Optional, Tuple, Union
 
 from .errors import WorkersLost
 from .study_task import FATAL, Answer, Task
@@ -41,7 +41,7 @@ class _Pool:
 
 
 def answers(tasks: Iterator[Tuple[int, Task]], do: Callable[[Task], Answer], executor: AnyExecutor, tries: int,
-            ahead: Optional[int]) -> Iterator[Tuple[int, Task, Answer]]:
+            ahead: Optional[int]) -> Generator[Tuple[int, Task, Answer], None, None]:
     """Yields the answers of `do`, which can be pickled, as they come. `executor`: one, or what makes one. A task that was lost is done again after
     all others; the last of its `tries` alone, so that one that kills workers takes none of the others with it. Error: WorkersLost, and what
     each task would fail of."""

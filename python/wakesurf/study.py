@@ -8,8 +8,10 @@
 """
 from __future__ import annotations
 
+import contextlib
 import csv
 import functools
+import glob
 import inspect
 import io
 import itertools
@@ -117,8 +119,10 @@ def study(rakes: Union[Mapping[str, AnyRake], Sequence[AnyRake]], cases: Union[M
     work = _work(folder, files, times, through, fields, picture, url, store, binary, memory, threads, options, timeout)
     tasks = _Tasks(work, rakes, cases, settings)
     total = len(tasks)
+    if tries < 1 or ahead is not None and ahead < 1:
+        raise _refused("`tries` and `ahead` are at least 1", "leave them out")
     report, rows, counts = Report.to(progress), _Rows(), {"done": 0, "total": total, "kept": 0, "failed": 0}
-    missing: List[str] = []
+    made: Optional[Task] = None
 
     def take(number: int, task: Task, answer: Answer) -> None:
         rows.add(number, task, answer, work.files)
@@ -137,14 +141,15 @@ def study(rakes: Union[Mapping[str, AnyRake], Sequence[AnyRake]], cases: Union[M
                 take(number, task, answer)
 
     os.makedirs(work.folder, exist_ok=True)
-    for number, task, answer in answers(fresh(), functools.partial(done, work), executor, tries, ahead):
-        take(number, task, answer)
-        if not answer.error:
-            missing = [task.place]
+    with contextlib.closing(answers(fresh(), functools.partial(done, work), executor, tries, ahead)) as found_by_workers:
+        for number, task, answer in found_by_workers:
+            take(number, task, answer)
+            made = task if not answer.error else made
+    tasks.remove_parts()
     ordered, units = rows.all()
     found = Study(work.folder, ordered, units, total, counts["kept"], counts["failed"])
     write_whole(found.csv, _csv(found))
-    if missing and not os.path.exists(os.path.join(work.folder, missing[0] + ".json")):
+    if made is not None and kept(work, made) is None:
         warnings.warn(f"{work.folder} has numbers, but not the files, of what other machines have made: do all see it at this path?", stacklevel=3)
     report.share(1.0, str(found), dict(counts))
     return found
@@ -175,6 +180,7 @@ class _Tasks:
     """All combinations, made one at a time: there may be millions."""
 
     def __init__(self, work: Work, rakes: Any, cases: Any, settings: Any) -> None:
+        self._folder = work.folder
         one_case = isinstance(cases, (str, os.PathLike))
         self._cases = [each._replace(value=_case(work, each.value)) for each in _named("case", [cases] if one_case else cases, _stem)]
         one_setting = isinstance(settings, Mapping) and not all(isinstance(each, Mapping) for each in settings.values())
@@ -183,6 +189,12 @@ class _Tasks:
         one_rake = isinstance(rakes, Mapping) and bool(rakes) and set(rakes) <= set(_RAKE)
         self._rakes = [each._replace(value=_rake(each.name, each.value))
                        for each in _named("rake", [rakes] if one_rake else rakes, lambda i, _: str(i))]
+
+    def remove_parts(self) -> None:
+        """Removes what workers that were killed had begun to write."""
+        for case, setting in itertools.product(self._cases, self._settings):
+            for part in glob.glob(os.path.join(glob.escape(os.path.join(self._folder, case.safe, setting.safe)), "*.part")):
+                os.remove(part)
 
     def __len__(self) -> int:
         return len(self._cases) * len(self._settings) * len(self._rakes)

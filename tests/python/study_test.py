@@ -11,6 +11,7 @@ import unittest.mock
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 
 from document_blocks import blocks
+from importers_end_test import parent_of
 from real_server import BINARY, ROOT, FolderTest, RealServer, until
 from stop_test import below
 import wakesurf
@@ -126,13 +127,24 @@ class StudyTest(FolderTest):
         for given, words in ((dict(settings={"kind": "stream", "seperation": 1}), "did you mean `separation`"), (dict(settings={"to": 1}), "no kind"),
                              (dict(rakes={}), "no rake"), (dict(rakes={"a": (0, 0, 0)}), "rake 'a'"), (dict(rakes={1: None, "1": None}), "same name"),
                              (dict(files="stl"), "'stl'"), (dict(picture={"colour": 1}), "`picture` has no `colour`"),
-                             (dict(settings=["stream"]), "no dictionary"), (dict(rakes=[{"lines": []}]), "did you mean `line`"), (dict(exe=1), "no parameter `exe`")):
+                             (dict(settings=["stream"]), "no dictionary"), (dict(ahead=0), "at least 1"), (dict(rakes=[{"lines": []}]), "did you mean `line`"), (dict(exe=1), "no parameter `exe`")):
             with self.subTest(words):
                 with self.assertRaisesRegex(wakesurf.InvalidParameters, words):
                     self.study(**{"rakes": RAKES, **given})
         self.assertEqual(os.listdir(self.folder), [])
         with self.assertRaisesRegex(wakesurf.ServerMissing, "nowhere"):
             wakesurf.study(RAKES, "flow:abc", STREAM, self.folder, binary="/nowhere/wakesurf")
+
+    def test_removes_what_a_worker_that_was_killed_had_begun_to_write(self):
+        os.makedirs(os.path.join(self.folder, "out/tornado/stream"))
+        with open(os.path.join(self.folder, "out/tornado/stream/0.4.ply.012345.part"), "wb"):
+            pass
+        self.assertFalse([path for path in bytes_below(self.study(RAKES).folder) if path.endswith(".part")])
+
+    def test_says_that_files_are_elsewhere_where_workers_have_another_disk(self):
+        elsewhere = unittest.mock.patch("wakesurf.study_task.write_whole")
+        with elsewhere, self.assertWarnsRegex(UserWarning, "not the files"):
+            self.assertEqual(self.study(RAKES).failed, 0)
 
     def test_writes_nowhere_else_whatever_names_it_is_given(self):
         names = {"../../escaped": RAKES["0.4"], "/tmp/escaped": RAKES["0.5"], "a\0b\n": RAKES["0.6"], "": BESIDE}
@@ -196,9 +208,9 @@ class DaskTest(FolderTest):
 
         def kill(progress):
             if progress.state["done"] >= 1 and not killed:
-                killed.append(next(iter(client.run(os.getpid).values())))
-                killed.extend(servers_of(killed[0]))
-                os.kill(killed[0], signal.SIGKILL)
+                worker = next(each for each in client.run(os.getpid).values() if servers_of(each))
+                killed.extend([worker, *servers_of(worker)])
+                os.kill(worker, signal.SIGKILL)
 
         with LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, silence_logs=50) as cluster, Client(cluster) as client:
             found = study("dask", client.get_executor(), kill)
@@ -210,8 +222,7 @@ class DaskTest(FolderTest):
         self.assertEqual(len(ours), 8 * 4 + 1)
         self.assertEqual(ours, bytes_below(alone.folder))
         self.assertGreater(len(killed), 1)
-        for each in killed[1:]:
-            until(lambda each=each: not os.path.exists(f"/proc/{each}"))  # it ends with its worker
+        until(lambda: not any(parent_of(each) for each in killed))  # the server ends with its worker
 
 
 class LostWorkersTest(FolderTest):
