@@ -6,18 +6,20 @@ a signal kills, and not with the thread of an executor that happened to need it 
 from __future__ import annotations
 
 import os
+import subprocess
 import threading
 import time as clock
 from concurrent.futures import Future
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from multiprocessing import util
 from typing import Any, Dict, Iterator, Mapping
 
 from .client import Client
-from .errors import ServerFailed
+from .errors import ServerFailed, Unreachable
 from .serve import Server, serve
 
 _IDLE = 60.0  # seconds without a task after which a server ends
+_ENDING = 20.0  # seconds that one may take to end
 _LOOK = 1.0  # seconds from one look at it to the next
 _MOST = 2  # servers of a process: that of its case, and that of the case before
 _AT_ONCE = 8  # tasks that have it at a time, which is how many downloads it has for one person
@@ -99,6 +101,10 @@ def kept_server(case: str, options: Mapping[str, Any]) -> Iterator[Client]:
     try:
         with kept.turns:
             yield Client(kept.begun.result().url)
+    except Unreachable:
+        with suppress(subprocess.TimeoutExpired):  # or the next task takes one that is still ending, which may take its memory seconds
+            kept.begun.result().process.wait(_ENDING)
+        raise
     finally:
         with _lock:
             kept.users -= 1
