@@ -22,6 +22,7 @@ from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
+from .client import Client
 from .errors import InvalidParameters, WakesurfError
 from .executing import answers
 from .files import write_whole
@@ -34,6 +35,7 @@ from .safe_names import safe_names
 from .session import Session
 from .study_task import Answer, Task, Work, done, kept
 
+_TABLE = "study.csv"
 _FORMATS = ("vtp", "glb", "ply", "obj", "drc", "png")
 _RAKE = ("line", "polyline", "circle", "points", "seeds")
 _SETTING = [name for name in inspect.signature(Session.surface).parameters if name not in ("self", "rake", "dataset", "rake2", "twin", "from_")]
@@ -64,7 +66,7 @@ class Study:
     @property
     def csv(self) -> str:
         """Returns the path of the table: all rows, with units in the first line."""
-        return os.path.join(self.folder, "study.csv")
+        return os.path.join(self.folder, _TABLE)
 
     @property
     def failures(self) -> List[Dict[str, Any]]:
@@ -107,8 +109,8 @@ def study(rakes: Union[Mapping[str, AnyRake], Sequence[AnyRake]], cases: Union[M
         the executor has at a time; left out, twice its workers, or 1000 where they are not known.
     `progress`: told how much is done, with `done`, `total`, `kept` and `failed` as its state.
 
-    A task that fails, as on a rake outside of the domain, is a row with its error; it is tried again by the next study. Data that change below the
-    same path are not noticed: take another folder. Some 2 kB of memory a row. One thread may call it; several may, for different folders.
+    A task that fails, as on a rake outside of the domain, is a row with its error; it is tried again by the next study. All surfaces of a case
+    are made again when the file that names it has become newer; data that change otherwise below the same path are not noticed. Some 2 kB of memory a row. One thread may call it; several may, for different folders.
     Error: InvalidParameters, before anything is begun; WorkersLost, where the executor can do no more; ServerMissing, BrowserMissing.
 
     >>> lines = {f"{x:g}": [(x, 0.4, 0.1), (x, 0.6, 0.1)] for x in (0.4, 0.5, 9)}
@@ -149,7 +151,7 @@ def study(rakes: Union[Mapping[str, AnyRake], Sequence[AnyRake]], cases: Union[M
     ordered, units = rows.all()
     found = Study(work.folder, ordered, units, total, counts["kept"], counts["failed"])
     write_whole(found.csv, _csv(found))
-    if made is not None and kept(work, made) is None:
+    if made is not None and not os.path.exists(os.path.join(work.folder, made.place + ".json")):
         warnings.warn(f"{work.folder} has numbers, but not the files, of what other machines have made: do all see it at this path?", stacklevel=3)
     report.share(1.0, str(found), dict(counts))
     return found
@@ -166,7 +168,8 @@ def _work(folder: Path, files: Sequence[str], times: Optional[Times], through: O
     names = [fields] if isinstance(fields, str) else list(fields)
     given = {"store": None if store is None else os.path.abspath(store), "binary": None if binary is None else os.fspath(binary), "memory": memory,
              "threads": threads, "options": list(options)}
-    return Work(os.path.abspath(folder), url, given, wanted, query_of(times, through, "end" if times is None else None, names),
+    values = {} if url is None else {each["dataset"]: str(each.get("values", "")) for each in Client(url).datasets()}
+    return Work(os.path.abspath(folder), url, values, given, wanted, query_of(times, through, "end" if times is None else None, names),
                 plain(dict(picture or {}), "picture"), timeout)
 
 
@@ -220,7 +223,7 @@ def _named(what: str, given: Any, name_of: Callable[[int, Any], str]) -> List[_N
             pairs.append((name if seen[name] == 1 else f"{name}-{seen[name]}", value))
     if not pairs:
         raise _refused(f"there is no {what}", "give at least one")
-    return [_Named(name, safe, value) for (name, value), safe in zip(pairs, safe_names([name for name, _ in pairs]))]
+    return [_Named(name, safe, value) for (name, value), safe in zip(pairs, safe_names([name for name, _ in pairs], [_TABLE]))]
 
 
 def _stem(_: int, case: Any) -> str:

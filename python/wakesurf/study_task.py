@@ -27,10 +27,11 @@ _LONGEST = 600.0  # seconds for a file
 
 @dataclass(frozen=True)
 class Work:
-    """What all tasks of a study have in common. `query`: of the numbers."""
+    """What all tasks of a study have in common. `values`: checksums of the datasets of `url`, by their ids. `query`: of the numbers."""
 
     folder: str
     url: Optional[str]
+    values: Dict[str, str]
     options: Json
     files: Tuple[str, ...]
     query: Dict[str, str]
@@ -60,14 +61,17 @@ class Answer:
 
 def fingerprint(work: Work, task: Task) -> str:
     """Returns a checksum of all that the files depend on; where, and how fast, they are made is no part of it."""
-    asked: Json = {"version": VERSION, "case": task.case, "rake": task.rake, "setting": task.setting, "options": list(work.options["options"]),
-             "files": work.files, "query": work.query, "picture": work.picture if "png" in work.files else {}}
+    asked: Json = {"version": VERSION, "case": task.case, "values": work.values.get(task.case, ""), "rake": task.rake, "setting": task.setting,
+                   "options": list(work.options["options"]), "files": work.files, "query": work.query,
+                   "picture": work.picture if "png" in work.files else {}}
     return hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()
 
 
 def kept(work: Work, task: Task) -> Optional[Answer]:
-    """Returns what is there already of the very same task; None if it is not done, or a file is missing."""
+    """Returns what is there already of the very same task; None if it is not done, a file is missing, or that of the case is newer."""
     try:
+        if work.url is None and os.path.isfile(task.case) and os.path.getmtime(task.case) > os.path.getmtime(_path(work, task, "json")):
+            return None
         with open(_path(work, task, "json"), encoding="utf-8") as file:
             record = json.load(file)
         if record["fingerprint"] != fingerprint(work, task) or any(os.path.getsize(_path(work, task, extension)) != size

@@ -11,6 +11,8 @@ import unittest
 import unittest.mock
 from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
 
+import numpy as np
+
 from document_blocks import blocks
 from importers_end_test import parent_of
 from real_server import BINARY, ROOT, FolderTest, RealServer, until
@@ -113,6 +115,16 @@ class StudyTest(FolderTest):
         self.assertLess(changed.rows[0]["area"], first.rows[0]["area"])
         self.assertEqual(self.study({**RAKES, "new": RAKES["0.4"]}, settings={**STREAM, "to": 1}, files="ply").kept, 3)
 
+    def test_makes_again_what_is_older_than_its_case(self):
+        case = wakesurf.write_series(os.path.join(self.folder, "mine.pvd"), [0, 1], [np.ones((4, 4, 4, 3)), np.ones((4, 4, 4, 3))])[0]
+        rakes, setting = [[(0.5, 0.5, 1), (0.5, 2.5, 1)]], {"kind": "stream", "to": 1, "separation": 0.5}
+        kept = []
+        for made in (None, None, 1e9, None):
+            if made:
+                os.utime(os.path.join(self.folder, "out/mine/stream/0.json"), (made, made))
+            kept.append(self.study(rakes, case, setting, store=os.path.join(self.folder, "store")).kept)
+        self.assertEqual(kept, [0, 1, 0, 1])
+
     def test_has_a_row_with_words_for_what_fails_and_goes_on(self):
         rakes = {"beside": BESIDE, "not a number": [(float("nan"), 0, 0), (1, 1, 1)], **RAKES}
         found = self.study(rakes, {"good": "flow:tornado", "none": "/nowhere/case.foam"}, executor=ThreadPoolExecutor(2))
@@ -149,10 +161,10 @@ class StudyTest(FolderTest):
 
     def test_writes_nowhere_else_whatever_names_it_is_given(self):
         names = {"../../escaped": RAKES["0.4"], "/tmp/escaped": RAKES["0.5"], "a\0b\n": RAKES["0.6"], "": BESIDE}
-        found = self.study(names, {"..": "flow:tornado"}, {".hidden/x": STREAM})
-        self.assertEqual([row["rake"] for row in found.rows], list(names))
-        self.assertEqual(len(bytes_below(self.folder)), 7)
-        self.assertEqual(len(bytes_below(found.folder)), 7)
+        found = self.study(names, {"..": "flow:tornado", "study.csv": "flow:abc"}, {".hidden/x": STREAM})
+        self.assertEqual([row["rake"] for row in found.rows[:4]], list(names))
+        self.assertEqual(len(bytes_below(self.folder)), 2 * found.surfaces - 2 * found.failed + 1)
+        self.assertEqual(len(bytes_below(found.folder)), len(bytes_below(self.folder)))
         self.assertFalse([each for each in bytes_below(found.folder) if each.startswith(".") or "/." in each])
 
     def test_uses_a_server_that_runs_and_leaves_nothing_in_it(self):
