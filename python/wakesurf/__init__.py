@@ -11,7 +11,8 @@
         mesh = surface.mesh()                                      # mesh.points, mesh.polygons, mesh["speed"]: numpy
         surface.export("wake.vtp")                                 # for ParaView, see also .glb, .ply, .obj
 
-`serve` starts a server of its own where the program wakesurf is installed: `with wakesurf.serve("case.foam") as session`.
+`serve` starts a server of its own where the program wakesurf is installed: `with wakesurf.serve("case.foam") as session`. `study` makes
+many surfaces on many cores or machines.
 
 Everything goes over HTTP (urllib). What the server tells by itself (`Session.watch`, `Surface.watch`, `Surface.live`), and how far a
 surface is, needs a WebSocket, and for it the package `websocket-client` (Debian: python3-websocket). Pictures and films are drawn by the

@@ -19,11 +19,10 @@ class _Pool:
     """An executor that was given, or one of our own, which is replaced when it breaks and shut down at the end."""
 
     def __init__(self, given: AnyExecutor) -> None:
-        if given is not None and hasattr(given, "get_executor"):  # a client of Dask, whose own futures are others
-            given = given.get_executor()
-        is_one = hasattr(given, "submit") and not isinstance(given, type)
-        self._make: Optional[Callable[[], Executor]] = None if is_one else given or partial(ThreadPoolExecutor, os.cpu_count())  # type: ignore[assignment]
-        self.executor: Executor = given if self._make is None else self._make()  # type: ignore[assignment]
+        one: Any = given.get_executor() if hasattr(given, "get_executor") else given  # a client of Dask has other futures
+        is_made = hasattr(one, "submit") and not isinstance(one, type)
+        self._make: Optional[Callable[[], Executor]] = None if is_made else one or partial(ThreadPoolExecutor, os.cpu_count())
+        self.executor: Executor = one if self._make is None else self._make()
         self.broken: Optional[BaseException] = None
         self.used = False
 
