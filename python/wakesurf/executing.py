@@ -19,7 +19,9 @@ class _Pool:
     """An executor that was given, or one of our own, which is replaced when it breaks and shut down at the end."""
 
     def __init__(self, given: AnyExecutor) -> None:
-        one: Any = given.get_executor() if hasattr(given, "get_executor") else given  # a client of Dask has other futures
+        one: Any = given
+        if hasattr(one, "get_executor"):  # a client of Dask, which has other futures
+            one = one.get_executor()
         is_made = hasattr(one, "submit") and not isinstance(one, type)
         self._make: Optional[Callable[[], Executor]] = None if is_made else one or partial(ThreadPoolExecutor, os.cpu_count())
         self.executor: Executor = one if self._make is None else self._make()
