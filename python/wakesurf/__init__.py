@@ -11,7 +11,8 @@
         mesh = surface.mesh()                                      # mesh.points, mesh.polygons, mesh["speed"]: numpy
         surface.export("wake.vtp")                                 # for ParaView, see also .glb, .ply, .obj
 
-`serve` starts a server of its own where the program wakesurf is installed: `with wakesurf.serve("case.foam") as session`.
+`serve` starts a server of its own where the program wakesurf is installed: `with wakesurf.serve("case.foam") as session`. `study` makes
+many surfaces on many cores or machines.
 
 Everything goes over HTTP (urllib). What the server tells by itself (`Session.watch`, `Surface.watch`, `Surface.live`), and how far a
 surface is, needs a WebSocket, and for it the package `websocket-client` (Debian: python3-websocket). Pictures and films are drawn by the
@@ -29,7 +30,7 @@ from .connection import Connection
 from .errors import (BrowserMissing, Cancelled, DatasetError, InvalidParameters, InvalidPoints, InvalidRequest, Leased,
                      MethodNotFound, MissingParameter, NoSuchArray, NotFound, NotPermitted, OutsideDomain, OutsideTimeRange, OverLimit, PictureFailed,
                      ServerFailed,
-                     ServerFault, ServerMissing, Stale, Unauthenticated, UnknownParameter, Unreachable, WaitTimeout, WakesurfError)
+                     ServerFault, ServerMissing, Stale, Unauthenticated, UnknownParameter, Unreachable, WaitTimeout, WakesurfError, WorkersLost)
 from .files import write_series
 from .generated.version import VERSION as __version__
 from .mesh import Mesh
@@ -40,11 +41,12 @@ from .serve import Server, serve
 from .session import Session
 from .slice import Slice
 from .streamlines import Streamlines
+from .study import Study, study
 from .surface import Surface, Update
 from .view import Camera, Look, SurfaceLook
 
 __all__ = ["BrowserMissing", "Camera", "Cancelled", "Client", "Connection", "DatasetError", "InvalidParameters", "InvalidPoints", "InvalidRequest", "Leased", "Look",
            "Mesh", "MethodNotFound", "MissingParameter", "NoSuchArray", "NotFound", "NotPermitted", "OutsideDomain", "OutsideTimeRange", "OverLimit",
-           "PictureFailed", "Progress", "Rake", "Series", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Slice", "Stale", "Streamlines",
+           "PictureFailed", "Progress", "Rake", "Series", "Server", "ServerFailed", "ServerFault", "ServerMissing", "Session", "Slice", "Stale", "Streamlines", "Study",
            "Surface", "SurfaceLook", "Unauthenticated", "UnknownParameter", "Unreachable", "Update", "WaitTimeout",
-           "WakesurfError", "__version__", "notifications", "numbers", "records", "serve", "write_series"]
+           "WakesurfError", "WorkersLost", "__version__", "notifications", "numbers", "records", "serve", "study", "write_series"]

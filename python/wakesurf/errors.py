@@ -6,7 +6,7 @@ from typing import Any, Dict, Optional, Tuple
 __all__ = ["WakesurfError", "InvalidRequest", "InvalidParameters", "InvalidPoints", "UnknownParameter", "MissingParameter", "MethodNotFound",
            "Unauthenticated", "NotPermitted", "NotFound", "NoSuchArray", "Stale", "Leased", "Cancelled", "OutsideDomain", "OutsideTimeRange", "OverLimit",
            "DatasetError", "ServerFault", "Unreachable", "WaitTimeout", "ServerMissing", "ServerFailed", "BrowserMissing",
-           "PictureFailed"]
+           "PictureFailed", "WorkersLost"]
 
 
 class WakesurfError(Exception):
@@ -127,3 +127,7 @@ class BrowserMissing(WakesurfError, FileNotFoundError):
 
 class PictureFailed(WakesurfError):
     """The page could not draw it; the message says why."""
+
+
+class WorkersLost(WakesurfError):
+    """The executor of a study has lost its workers and takes no more tasks; a new study in the same folder does the rest."""

@@ -5,10 +5,12 @@ import atexit
 import os
 import selectors
 import shutil
+import signal
 import subprocess
+import sys
 import tempfile
 import time as clock
-from typing import IO, List, Optional, Sequence, Union
+from typing import IO, Callable, List, Optional, Sequence, Union
 
 from .client import Client
 from .errors import ServerFailed, ServerMissing, WakesurfError
@@ -19,6 +21,7 @@ from .session import Session
 HOW = ("install the Debian package wakesurf, or compile it (./run in a clone); then put `wakesurf` into PATH, name it in $WAKESURF, or "
        "give binary=. To a server that runs elsewhere, in a container as well: wakesurf.Client(address)")
 _LAST_WORDS = 2000  # characters of the log in an error
+_PR_SET_PDEATHSIG = 1
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -38,11 +41,11 @@ class Server:
     """A server that runs until `stop`, or until Python ends. `url` is its address with the token; `session` is its session `main`.
     In a `with` it gives that session and stops at the end."""
 
-    def __init__(self, command: Sequence[str], timeout: float) -> None:
+    def __init__(self, command: Sequence[str], timeout: float, tied: bool = False) -> None:
         self._log: IO[bytes] = tempfile.TemporaryFile()
         environment = {name: value for name, value in os.environ.items() if name not in ("WAKESURF_LISTEN", "WAKESURF_TOKEN_FILE")}
         self.process = subprocess.Popen(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=self._log,
-                                        env=environment, start_new_session=True)
+                                        env=environment, start_new_session=True, preexec_fn=_end_with_starter() if tied else None)
         atexit.register(self.stop)
         try:
             self.url = self._address(timeout)
@@ -107,14 +110,16 @@ class Server:
 
 def serve(*datasets: Path, binary: Optional[Path] = None, store: Optional[Path] = None, state: Optional[Path] = None,
           memory: Optional[str] = None, threads: Optional[int] = None, frame_origins: Optional[Sequence[str]] = None,
-          options: Sequence[str] = (), wait: bool = True, progress: Optional[ProgressTarget] = None, timeout: float = 60.0) -> Server:
+          options: Sequence[str] = (), wait: bool = True, progress: Optional[ProgressTarget] = None, timeout: float = 60.0,
+          tied: bool = False) -> Server:
     """Starts a server for these datasets: files or folders of simulation results, stores, or built-in flows as "flow:tornado"; none:
     the bundled simulation.
 
     `binary`: the program; left out, $WAKESURF or the one in PATH. `store`: folder for imported data. `state`: folder for sessions;
     left out, they end with the server. `memory`, `threads`: what it may use. `frame_origins`: whose pages may show its page in a
     frame; left out, those of the notebook that this runs in. `options`: more of `wakesurf serve --help`. `wait`: until all data
-    are imported; `progress` is told how far that is. `timeout`: seconds until it has to answer.
+    are imported; `progress` is told how far that is. `timeout`: seconds until it has to answer. `tied`: on Linux it ends with the
+    thread that calls this, also where a signal kills that; elsewhere, as without, only with a Python that ends by itself.
 
     >>> with wakesurf.serve("flow:tornado") as session:
     ...     print(session.suggested("stream").wait()["complete"])
@@ -128,7 +133,7 @@ def serve(*datasets: Path, binary: Optional[Path] = None, store: Optional[Path] 
             command += [name, os.fspath(value) if isinstance(value, os.PathLike) else str(value)]
     for origin in notebook_origins() if frame_origins is None else frame_origins:
         command += ["--frame-origin", origin]
-    server = Server([*command, *options], timeout)
+    server = Server([*command, *options], timeout, tied)
     if wait:
         try:
             _wait_for_data(server.client, Report.to(progress))
@@ -136,6 +141,20 @@ def serve(*datasets: Path, binary: Optional[Path] = None, store: Optional[Path] 
             server.stop()
             raise
     return server
+
+
+def _end_with_starter() -> Optional[Callable[[], None]]:
+    """Returns what a new process does first to get SIGTERM when the thread that started it ends; None where there is no such call."""
+    if not sys.platform.startswith("linux"):
+        return None
+    import ctypes
+    prctl, parent = ctypes.CDLL(None).prctl, os.getpid()  # loaded here: between fork and exec nothing should be
+
+    def tie() -> None:
+        if prctl(_PR_SET_PDEATHSIG, signal.SIGTERM) != 0 or os.getppid() != parent:
+            os._exit(1)
+
+    return tie
 
 
 def _wait_for_data(client: Client, report: Report) -> None:

@@ -289,7 +289,7 @@ class Session(SurfaceMaker[Surface], HasId, Helpful):
               timeout: Optional[float] = None, **surface: Any) -> Iterator[Case]:
         """Makes a surface for each combination of what `vary` lists, one after the other, in a session of its own
         that is deleted at the end. `rake`: as `Session.rake` takes it; `surface`: what all of them share, as
-        `Session.surface` takes it.
+        `Session.surface` takes it. Many of them, on all cores or machines: `wakesurf.study`.
 
         >>> line = {"line": [(0.4, 0.4, 0.1), (0.6, 0.6, 0.1)], "seeds": 12}
         >>> for case in session.study(line, {"separation": [0.1, 0.05]}, kind="stream", dataset="tornado", to=2):

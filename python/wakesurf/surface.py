@@ -126,7 +126,10 @@ class Surface(SurfaceChanger, Record):
         >>> 0 < numbers["area_error"][0] < numbers["area"][0] >= numbers["inside_area"][0]
         True
         """
-        return Numbers.from_csv(self._file("numbers.csv", query_of(times, through, time, fields), None, timeout)[1].decode())
+        return Numbers.from_csv(self._numbers_text(query_of(times, through, time, fields), timeout))
+
+    def _numbers_text(self, query: Mapping[str, str], timeout: float) -> str:
+        return self._file("numbers.csv", query, None, timeout)[1].decode()
 
     def export(self, path: Union[str, os.PathLike[str]], timeout: float = 600.0, *,
                time: Union[float, str, None] = None, draco: bool = True, lines: Optional[str] = None,

@@ -7,6 +7,7 @@ A block of commands says behind its language what is done with it:
     python run      runs with the client beside it
     bash tour       runs as one script with the page's others of that mark, and prints what its comments say (curl_tour_test.py)
     sh elsewhere    cannot run here (ssh, a batch system, a container): its syntax and its options are checked
+    python elsewhere    the same (MPI): its syntax is checked
 """
 import os
 import re
@@ -17,7 +18,7 @@ from real_server import ROOT
 
 FENCE = re.compile(r"^```([^\n`]*)\n(.*?)^```$", re.S | re.M)
 ADDRESS = "http://127.0.0.1:8080"
-MARKS = ("sh run", "sh run serve", "bash tour", "sh elsewhere", "python run")
+MARKS = ("sh run", "sh run serve", "bash tour", "sh elsewhere", "python run", "python elsewhere")
 ENDS = ("|", "||", "&&", ";", "&", ">", ">>", "<", "2>&1")
 
 

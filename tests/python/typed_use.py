@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import asyncio
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 from typing import List
 
 import numpy as np
@@ -24,6 +25,14 @@ def study(session: wakesurf.Session) -> List[int]:
     session.picture("a.png", size=(3000, 2000), view={"camera": {"position": (1, 1, 1), "target": (0, 0, 0)}, "look": {"map": "turbo"}})
     return [case.statistics["quads"] for case in session.study({"line": [(0, 0, 0), (1, 0, 0)]}, {"separation": [0.1, 0.05]},
                                                               kind="path", dataset="tornado", to=1)]
+
+
+def many() -> wakesurf.Study:
+    rakes = {f"{x:g}": [(x, 0.4, 0.1), (x, 0.6, 0.1)] for x in np.linspace(0.4, 0.6, 3)}
+    found = wakesurf.study(rakes, ["flow:tornado"], {"kind": "stream", "to": 2}, "results", files=["vtp"],
+                           executor=lambda: ProcessPoolExecutor(2), progress=lambda progress: print(progress.message))
+    print(found, [row["error"] for row in found.failures])
+    return wakesurf.study([np.zeros((2, 3)), {"circle": [(0, 0, 1)] * 3}], "case.foam", [{"kind": "path"}], executor=ThreadPoolExecutor(2))
 
 
 async def listen(session: wakesurf.Session) -> None:

@@ -107,6 +107,8 @@ class Commands(unittest.TestCase):
     def test_that_cannot_run_here_are_right_as_far_as_can_be_seen(self):
         for page in pages():
             for block in blocks(page):
+                if block.mark == "python elsewhere":
+                    compile(block.code, page, "exec")
                 if block.mark != "sh elsewhere":
                     continue
                 with self.subTest(page=page, line=block.line):
