@@ -4,6 +4,7 @@
 // corner with several groups becomes several vertices, the first of them in its old place.
 import { signed } from '../connection/ownServer.ts';
 import type { BodyMesh, BodyValues } from '../mesh/meshChange.ts';
+import { placesOf } from '../mesh/places.ts';
 import type { DracoPoints } from '../protocol/dracoPoints.ts';
 import { dequantise, type Lattice } from '../protocol/lattice.ts';
 import { MeshDecoder } from '../protocol/meshDecoder.ts';
@@ -168,28 +169,6 @@ function faceNormals(p: Float32Array, indices: Uint32Array): Float64Array {
         normals[i + 2] = z / length;
     }
     return normals;
-}
-
-/** For each vertex the first at the same place. */
-function placesOf(positions: Float32Array): Uint32Array {
-    const bits = new Uint32Array(Float32Array.from(positions, (x) => x + 0).buffer);
-    const places = new Uint32Array(positions.length / 3);
-    let size = 16;
-    while (size < 2 * places.length) size *= 2;
-    const table = new Int32Array(size).fill(-1);
-    for (let i = 0; i < places.length; ++i) {
-        const [x, y, z] = [bits[3 * i]!, bits[3 * i + 1]!, bits[3 * i + 2]!];
-        let slot = Math.imul(Math.imul(Math.imul(x, 0x9e3779b1) ^ y, 0x85ebca6b) ^ z, 0xc2b2ae35);
-        slot = (slot ^ (slot >>> 15)) & (size - 1);
-        let at = table[slot]!;
-        while (at >= 0 && (bits[3 * at] !== x || bits[3 * at + 1] !== y || bits[3 * at + 2] !== z)) {
-            slot = (slot + 1) & (size - 1);
-            at = table[slot]!;
-        }
-        if (at < 0) table[slot] = i;
-        places[i] = at < 0 ? i : at;
-    }
-    return places;
 }
 
 /** The next corner of the same triangle. */

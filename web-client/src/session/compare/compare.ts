@@ -43,7 +43,7 @@ export class Compare<Page extends Beside> {
     readonly time = signal<OtherTime>({ kind: 'same' });
     /** The dataset of the right half. */
     readonly dataset = signal('');
-    readonly rakesTogether = signal(true);
+    readonly moveTogether = signal(true);
     private readonly options: CompareOptions<Page>;
     private unlink: (() => void) | null = null;
     /** The session of the right half, which goes with it. */
@@ -130,12 +130,12 @@ export class Compare<Page extends Beside> {
 
     /** Once it has the view that it began with, which is that of the left half no more. */
     private linkOnceThere(right: Page): void {
-        const { time, rakesTogether } = this;
+        const { time, moveTogether } = this;
         const stop = right.state.stage.subscribe((stage) => {
             if (stage !== 'running') return;
             queueMicrotask(() => {
                 stop();
-                if (this.right.value === right) this.unlink ??= linkHalves(this.left, right, { time, rakesTogether });
+                if (this.right.value === right) this.unlink ??= linkHalves(this.left, right, { time, moveTogether });
             });
         });
     }

@@ -18,7 +18,7 @@ export interface Half {
         controls: Pick<FlowScene['controls'], 'follow' | 'onMove' | 'pose'>;
         loop: Pick<FlowScene['loop'], 'request'>;
     };
-    edits: Pick<Edits, 'chooseRake' | 'chooseSurface' | 'followRake' | 'onRake'>;
+    edits: Pick<Edits, 'chooseRake' | 'chooseSurface' | 'follow' | 'onMove' | 'turnToo'>;
     colours: FieldColours;
     playback: Pick<Playback, 'goTo' | 'mode' | 'time'>;
     clock: Pick<ClockControl, 'set'>;

@@ -7,7 +7,6 @@ import { usualLook } from '../../state/surfaceLook.ts';
 import { ViewState } from '../../state/viewState.ts';
 import { answering } from '../../testing/fakes.ts';
 import { surfaceOf } from '../../testing/records.ts';
-import type { RakeChange } from '../edits/rakeEdits.ts';
 import { FieldColours } from '../picture/fieldColours.ts';
 import type { OtherTime } from '../time/otherTime.ts';
 import type { Half } from './half.ts';
@@ -20,14 +19,15 @@ class FakeHalf implements Half {
     readonly worker = answering(() => ({}));
     readonly times: number[] = [];
     readonly clockTimes: (number | null)[] = [];
-    readonly rakes: [string, RakeChange][] = [];
+    readonly moves: [string, object][] = [];
     readonly mode = signal<'none' | 'frozen' | 'clock'>('clock');
     readonly time = signal(0);
     readonly playback = { mode: this.mode, time: this.time, goTo: (time: number) => void this.times.push(time) };
     readonly clock = { set: (time: number | null) => void this.clockTimes.push(time) };
     readonly edits: Half['edits'] = {
-        onRake: null,
-        followRake: (rake, change) => void this.rakes.push([rake, change]),
+        onMove: null,
+        follow: ({ id }, change) => void this.moves.push([id, change]),
+        turnToo: () => Promise.resolve(),
         chooseRake: () => undefined,
         chooseSurface: (surface) => void (this.state.activeSurface.value = surface),
     };
@@ -70,14 +70,14 @@ class FakeHalf implements Half {
 let left: FakeHalf;
 let right: FakeHalf;
 const time = signal<OtherTime>({ kind: 'same' });
-const rakesTogether = signal(true);
+const moveTogether = signal(true);
 let end: () => void;
 
 beforeEach(() => {
     [left, right] = [new FakeHalf(), new FakeHalf()];
     time.value = { kind: 'same' };
-    rakesTogether.value = true;
-    end = linkHalves(left, right, { time, rakesTogether });
+    moveTogether.value = true;
+    end = linkHalves(left, right, { time, moveTogether });
 });
 
 it('turns either camera with the other, and no more once it has ended', () => {
@@ -124,11 +124,11 @@ it('shows the right half at the same time, so much later, or at a time of its ow
     expect(left.times).toEqual([]);
 });
 
-it('moves rakes together unless that is unticked, and chooses in both what is there', () => {
-    left.edits.onRake?.('r1', { seeds: 7 });
-    expect(right.rakes).toEqual([['r1', { seeds: 7 }]]);
-    rakesTogether.value = false;
-    expect(left.edits.onRake).toBeNull();
+it('moves things together unless that is unticked, and chooses in both what is there', () => {
+    left.edits.onMove?.({ noun: 'rake', id: 'r1' }, { seeds: 7 });
+    expect(right.moves).toEqual([['r1', { seeds: 7 }]]);
+    moveTogether.value = false;
+    expect(left.edits.onMove).toBeNull();
     left.add('s1', 0, 1);
     right.add('s1', 0, 1);
     left.add('s2', 0, 1);
@@ -140,8 +140,8 @@ it('moves rakes together unless that is unticked, and chooses in both what is th
 
 it('moves no rake of a session that one may only look at', () => {
     left.state.role.value = 'viewer';
-    right.edits.onRake?.('r1', { seeds: 7 });
-    expect(left.rakes).toEqual([]);
+    right.edits.onMove?.({ noun: 'rake', id: 'r1' }, { seeds: 7 });
+    expect(left.moves).toEqual([]);
 });
 
 it('hides the same in both, and shows everything of what does not have the thing that is shown alone', () => {

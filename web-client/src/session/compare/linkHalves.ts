@@ -1,5 +1,5 @@
-// Links the halves of a comparison: camera, looks and what colours mean both ways, the time of the right half by that of the left, rakes
-// where they are to move together. Ids of records are the same in both, since one is a copy of the other.
+// Links the halves of a comparison: camera, looks and what colours mean both ways, the time of the right half by that of the left, rakes,
+// slices and streamlines where they are to move together. Ids of records are the same in both, since one is a copy of the other.
 import { effect, type ReadonlySignal, type Signal, untracked } from '@preact/signals-core';
 import type { CameraPose } from '../../scene/camera/cameraControls.ts';
 import { chosenRake, type Visibility } from '../../state/pageView.ts';
@@ -8,6 +8,7 @@ import { thingsThere } from '../picture/chosenThings.ts';
 import { automaticRanges } from '../picture/surfaceStyleOf.ts';
 import { type OtherTime, otherTime } from '../time/otherTime.ts';
 import type { Half } from './half.ts';
+import { moves } from './moveTogether.ts';
 
 const looks = [
     'looks',
@@ -24,11 +25,11 @@ const looks = [
 
 export interface Links {
     time: ReadonlySignal<OtherTime>;
-    rakesTogether: ReadonlySignal<boolean>;
+    moveTogether: ReadonlySignal<boolean>;
 }
 
 /** Returns how to end it. */
-export function linkHalves(left: Half, right: Half, { time, rakesTogether }: Links): () => void {
+export function linkHalves(left: Half, right: Half, { time, moveTogether }: Links): () => void {
     const ends = [
         linkCameras(left, right),
         ...looks.flatMap((name) => same(left.view[name] as Signal<unknown>, right.view[name] as Signal<unknown>)),
@@ -54,9 +55,9 @@ export function linkHalves(left: Half, right: Half, { time, rakesTogether }: Lin
             untracked(() => (mode === 'none' ? right.clock.set(then) : right.playback.goTo(then)));
         }),
         effect(() => {
-            const together = rakesTogether.value;
-            left.edits.onRake = together ? moves(right) : null;
-            right.edits.onRake = together ? moves(left) : null;
+            const together = moveTogether.value;
+            left.edits.onMove = together ? moves(left, right) : null;
+            right.edits.onMove = together ? moves(right, left) : null;
         }),
     ];
     left.colours.join(right.colours);
@@ -66,7 +67,7 @@ export function linkHalves(left: Half, right: Half, { time, rakesTogether }: Lin
         left.view.rangesBeside.value = new Map();
         left.colours.join(null);
         right.colours.join(null);
-        left.edits.onRake = null;
+        left.edits.onMove = null;
     };
 }
 
@@ -99,13 +100,6 @@ function showAlone(left: Half, right: Half): (() => void)[] {
             });
         });
     return [lead(left, right), lead(right, left)];
-}
-
-/** A half of which one may only look at the session does not follow. */
-function moves(half: Half): NonNullable<Half['edits']['onRake']> {
-    return (rake, change) => {
-        if (!half.state.locked.value) half.edits.followRake(rake, change);
-    };
 }
 
 /** What is chosen in one is chosen in the other, where it is there. */

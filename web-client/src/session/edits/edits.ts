@@ -28,6 +28,15 @@ export interface EditsOptions {
     dragging: () => boolean;
 }
 
+/** A record that is moved. */
+export interface Moved {
+    noun: 'rake' | 'slice' | 'lines';
+    id: string;
+}
+
+/** Moves a record as that of another page is moved; does nothing where it is not there. */
+type Follower = (id: string, change: object, along: TurnAlong) => void;
+
 export class Edits {
     readonly gestures = new Gestures(() => this.state.problems.passed('edit'));
     readonly history: UndoHistory;
@@ -36,8 +45,9 @@ export class Edits {
     private readonly rakes: RakeEdits;
     private readonly surfaces: SurfaceEdits;
     private readonly selection: Selection;
-    /** What this user makes of a rake is told, as of the other half of a comparison. */
-    onRake: ((rake: string, change: RakeChange) => void) | null = null;
+    /** Told what this user moves and how, as of the other half of a comparison; returns what undo and redo turn with it. */
+    onMove: ((moved: Moved, change: object) => TurnAlong | null) | null = null;
+    private readonly followers = new Map<Moved['noun'], Follower>();
     /** Made by this user, and chosen once its record is here. */
     private awaited: { rake: string } | { surface: string } | null = null;
 
@@ -55,6 +65,7 @@ export class Edits {
         };
         this.rakes = new RakeEdits(shared);
         this.surfaces = new SurfaceEdits(shared);
+        this.addFollower('rake', (rake, change, along) => this.rakes.change(rake, change, along));
         this.actions = new RecordActions(state, worker, this, (made) => {
             this.awaited = made;
             this.recordsChanged();
@@ -87,8 +98,8 @@ export class Edits {
     }
 
     moveRake(move: RakeMove): void {
-        this.rakes.move(move);
-        this.onRake?.(this.state.activeRake.value ?? '', { shape: move.shape });
+        const moved: Moved = { noun: 'rake', id: this.state.activeRake.value ?? '' };
+        this.rakes.move(move, this.onMove?.(moved, { shape: move.shape }) ?? null);
     }
 
     /** Returns what others are told of a move while it lasts. */
@@ -104,13 +115,22 @@ export class Edits {
     }
 
     changeRake(rake: string, change: RakeChange): void {
-        this.followRake(rake, change);
-        this.onRake?.(rake, change);
+        this.rakes.change(rake, change, this.onMove?.({ noun: 'rake', id: rake }, change) ?? null);
     }
 
-    /** Does as is told of another rake: nothing is told of it. */
-    followRake(rake: string, change: RakeChange): void {
-        this.rakes.change(rake, change);
+    /** Of what is loaded later, as slices. */
+    addFollower(noun: Moved['noun'], follow: Follower): void {
+        this.followers.set(noun, follow);
+    }
+
+    /** Does as is told of another page: nothing is told of it. */
+    follow({ noun, id }: Moved, change: object, along: TurnAlong): void {
+        this.followers.get(noun)?.(id, change, along);
+    }
+
+    /** Undoes or redoes the newest step, if that is the one which this goes with. */
+    async turnToo(along: TurnAlong, way: 'undo' | 'redo'): Promise<void> {
+        if (this.history.isNext(along, way)) await this[way]();
     }
 
     /**

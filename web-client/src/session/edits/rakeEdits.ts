@@ -11,7 +11,7 @@ import type { LatencyLog } from '../../state/latency.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { refusalWords, announceFailure } from '../base/calls.ts';
 import type { Gestures } from './gestures.ts';
-import type { UndoHistory } from './undoHistory.ts';
+import type { TurnAlong, UndoHistory } from './undoHistory.ts';
 
 const numbersEveryMs = 200;
 
@@ -29,6 +29,7 @@ interface RakeEdit {
     dragging: boolean;
     editedAt: number;
     gesture: string;
+    along: TurnAlong | null;
 }
 
 export type RakeChange = Partial<Pick<RakeEdit, 'shape' | 'seeds' | 'name' | 'colour'>>;
@@ -77,7 +78,7 @@ export class RakeEdits {
     }
 
     /** The active rake, moved in the scene. */
-    move({ shape, dragging, movedAt }: RakeMove): void {
+    move({ shape, dragging, movedAt }: RakeMove, along: TurnAlong | null = null): void {
         const { state } = this.options;
         const rake = state.activeRake.value;
         if (rake === null) return;
@@ -89,10 +90,11 @@ export class RakeEdits {
             this.numbersShownAt = movedAt;
             state.rakeShape.value = fitted;
         }
-        this.submit(rake, { shape: fitted }, { dragging, editedAt: movedAt, gesture });
+        this.submit(rake, { shape: fitted }, { dragging, editedAt: movedAt, gesture, along });
     }
 
-    change(rake: string, change: RakeChange): void {
+    /** @param along what undo and redo turn with it */
+    change(rake: string, change: RakeChange, along: TurnAlong | null = null): void {
         const editedAt = performance.now();
         const fitted = change.shape === undefined ? change : { ...change, shape: this.inDomain(rake, change.shape) };
         if (rake === this.options.state.activeRake.value) {
@@ -100,7 +102,7 @@ export class RakeEdits {
             if (fitted.seeds !== undefined) this.seeds.value = fitted.seeds;
         }
         const gesture = this.options.gestures.pressed(`rake ${rake} ${Object.keys(change).join()}`, editedAt);
-        this.submit(rake, fitted, { dragging: false, editedAt, gesture });
+        this.submit(rake, fitted, { dragging: false, editedAt, gesture, along });
     }
 
     /** Takes over the active rake's record unless an edit of ours is ahead of it. */
@@ -136,7 +138,7 @@ export class RakeEdits {
         if (gone.length > 0) this.options.onChange();
     }
 
-    private submit(rake: string, change: RakeChange, how: Pick<RakeEdit, 'dragging' | 'editedAt' | 'gesture'>): void {
+    private submit(rake: string, change: RakeChange, how: Pick<RakeEdit, 'along' | 'dragging' | 'editedAt' | 'gesture'>): void {
         const { state } = this.options;
         const record = state.rakes.value.get(rake);
         if (record === undefined) return;
@@ -172,7 +174,7 @@ export class RakeEdits {
         one.refused = false;
     }
 
-    private async send({ shape, dragging, editedAt, gesture, colour, ...edit }: RakeEdit): Promise<void> {
+    private async send({ shape, dragging, editedAt, gesture, along, colour, ...edit }: RakeEdit): Promise<void> {
         const { state, worker, latency, history, requested } = this.options;
         const one = this.edited.get(edit.rake);
         // The flag takes the lease on the rake, and ends it after the drag.
@@ -182,7 +184,7 @@ export class RakeEdits {
             const points = shape.points.map((point) => [...point] as [number, number, number]);
             const reply = await worker.call('rake.set', { ...edit, kind: shape.kind, points, ...tint, ...lease, gesture });
             state.problems.solved(`rake ${edit.rake}`);
-            history.noted(gesture);
+            history.noted(gesture, along);
             if (one !== undefined) one.answeredRev = reply.rev;
             for (const { surface, epoch } of reply.surfaces) {
                 latency.answered(surface, epoch, editedAt);
@@ -211,7 +213,7 @@ export class RakeEdits {
     }
 }
 
-function settingsOf(record: RakeRecord): Omit<RakeEdit, 'dragging' | 'editedAt' | 'gesture'> {
+function settingsOf(record: RakeRecord): Omit<RakeEdit, 'along' | 'dragging' | 'editedAt' | 'gesture'> {
     const { rake, kind, points, seeds, name } = record;
     // What is left out of a colour stays as it is.
     return { rake, shape: { kind, points }, seeds, name, colour: undefined };

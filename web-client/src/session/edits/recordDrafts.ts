@@ -4,13 +4,16 @@ import { effect, type ReadonlySignal, signal, untracked } from '@preact/signals-
 import type { AppState } from '../../state/appState.ts';
 import { announceUnlessDisconnected } from '../base/calls.ts';
 import type { Edits } from './edits.ts';
+import type { TurnAlong } from './undoHistory.ts';
 
 export interface RecordDraftsOptions<R extends { dataset: string }, P extends object> {
     state: Pick<AppState, 'dataset' | 'described' | 'pictured' | 'problems'>;
-    edits: Pick<Edits, 'gestures' | 'history'>;
-    /** As methods call them: `slice`. */
-    noun: string;
+    edits: Pick<Edits, 'addFollower' | 'gestures' | 'history' | 'onMove'>;
+    /** As methods call them. */
+    noun: 'slice' | 'lines';
     records: ReadonlySignal<ReadonlyMap<string, R>>;
+    /** What says how it is coloured: of each half of a comparison its own. */
+    own: readonly (keyof P)[];
     /** Returns what can be edited: not what the server alone writes. */
     placeOf: (record: R) => P;
     /** Tells the server. @param id undefined: a new one. Returns its id. */
@@ -25,11 +28,12 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
     readonly places = signal<ReadonlyMap<string, P>>(new Map());
     private readonly options: RecordDraftsOptions<R, P>;
     private readonly drafts = new Map<string, P>();
-    private readonly acts = new Map<string, string>();
+    private readonly acts = new Map<string, { name: string; along: TurnAlong | null }>();
     private readonly sending = new Set<string>();
 
     constructor(options: RecordDraftsOptions<R, P>) {
         this.options = options;
+        options.edits.addFollower(options.noun, (id, change, along) => this.draw(id, change, along));
         effect(() => {
             const records = options.records.value;
             void options.state.pictured.value;
@@ -64,11 +68,17 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
 
     /** Draws it so at once, and tells the server. */
     change(id: string, change: Partial<P>): void {
+        const { edits, noun, own } = this.options;
+        const isMoved = Object.keys(change).some((key) => !own.includes(key as keyof P));
+        this.draw(id, change, isMoved ? (edits.onMove?.({ noun, id }, without(change, own)) ?? null) : null);
+    }
+
+    private draw(id: string, change: Partial<P>, along: TurnAlong | null): void {
         const place = this.places.value.get(id);
         if (place === undefined) return;
         this.drafts.set(id, { ...place, ...change });
         // Another field is another act than another place, also where one follows the other fast.
-        this.acts.set(id, `${this.options.noun} ${id} ${Object.keys(change).join(' ')}`);
+        this.acts.set(id, { name: `${this.options.noun} ${id} ${Object.keys(change).join(' ')}`, along });
         this.publish();
         if (!this.sending.has(id)) void this.send(id);
     }
@@ -94,9 +104,10 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
                 const dataset = records.value.get(id)?.dataset;
                 // Someone has deleted it.
                 if (dataset === undefined) break;
-                const gesture = edits.gestures.slid(this.acts.get(id) ?? id, performance.now());
+                const { name, along } = this.acts.get(id)!;
+                const gesture = edits.gestures.slid(name, performance.now());
                 await set(id, dataset, sent, gesture);
-                edits.history.noted(gesture);
+                edits.history.noted(gesture, along);
             }
             state.problems.solved(`${noun}.set`);
         } catch (error) {
@@ -124,6 +135,10 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
         for (const id of this.places.peek().keys()) if (!places.has(id)) gone(id);
         this.places.value = places;
     }
+}
+
+function without<P extends object>(change: Partial<P>, left: readonly (keyof P)[]): Partial<P> {
+    return Object.fromEntries(Object.entries(change).filter(([key]) => !left.includes(key as keyof P))) as Partial<P>;
 }
 
 /** In any order. */

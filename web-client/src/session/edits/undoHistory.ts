@@ -44,6 +44,11 @@ export class UndoHistory {
         ++this.taken.value;
     }
 
+    /** Whether that goes with the step which is turned next. */
+    isNext(along: TurnAlong, way: Way): boolean {
+        return (way === 'undo' ? this.done : this.undone).value.at(-1) === along;
+    }
+
     /** Another session, or another life of the server: what was counted here is not what it would turn. */
     clear(): void {
         this.keep([], []);

@@ -4,14 +4,18 @@ import type { DatasetDescription } from '../../protocol/messages.ts';
 import type { AppState } from '../../state/appState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { gridOf } from '../base/gridOf.ts';
+import { type LateWaits, waitsSaid } from '../base/lateWaits.ts';
 
 export class Bodies {
-    private readonly state: Pick<AppState, 'datasets'>;
+    private readonly state: Pick<AppState, 'datasets' | 'notices'>;
     private readonly worker: Pick<WorkerClient, 'obstacle'>;
     private readonly known = new Map<string, { key: string; mesh: Promise<BodyMesh | null> }>();
 
-    constructor(state: Pick<AppState, 'datasets'>, worker: Pick<WorkerClient, 'obstacle'>) {
+    private readonly waits: LateWaits;
+
+    constructor(state: Pick<AppState, 'datasets' | 'notices'>, worker: Pick<WorkerClient, 'obstacle'>) {
         this.state = state;
+        this.waits = waitsSaid(state.notices, 'the body');
         this.worker = worker;
     }
 
@@ -21,7 +25,7 @@ export class Bodies {
         const key = JSON.stringify([grid, allPatches]);
         const known = this.known.get(dataset);
         if (known?.key === key) return known.mesh;
-        const mesh = this.worker.obstacle(dataset, lattice, allPatches);
+        const mesh = this.waits.until(() => this.worker.obstacle(dataset, lattice, allPatches));
         this.known.set(dataset, { key, mesh });
         // What could not be had may be there the next time.
         mesh.catch(() => {

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals-core';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { BodyColours } from '../../scene/surface/drawnBody.ts';
 import type { DatasetDescription } from '../../protocol/messages.ts';
 import { AppState } from '../../state/appState.ts';
@@ -7,6 +7,7 @@ import { ViewState } from '../../state/viewState.ts';
 import { datasetOf } from '../../testing/records.ts';
 import { rested } from '../../testing/shownPanel.ts';
 import { plainBody } from '../../state/bodyLook.ts';
+import { lateMs } from '../base/lateWaits.ts';
 import { BodyFields, extentOf } from './bodyFields.ts';
 
 /** A server that answers when the test lets it. */
@@ -91,6 +92,23 @@ describe('the values along the body', () => {
         expect(moved).toEqual([1, 2, 3, 4, null]);
     });
 
+    it('is asked for again where the server is late with it, at the newest time', async () => {
+        const { state, view, time, asked, shown, answer } = bench();
+        vi.useFakeTimers();
+        view.body.value = { ...plainBody, texture: true };
+        time.value = 3;
+        await vi.advanceTimersByTimeAsync(lateMs);
+        vi.useRealTimers();
+        const [[about, words]] = [...state.notices.all.value] as [[string, string]];
+        expect(words).toContain('has not sent the values along the body');
+        state.notices.remedyOf(about)!.act();
+        await rested();
+        await answer();
+        expect([asked, shown]).toEqual([[1, 3], []]);
+        await answer();
+        expect([asked, shown, state.notices.all.value.size]).toEqual([[1, 3], [3], 0]);
+    });
+
     it('is that of the time nearest to the data, and one for all times where it stands still', async () => {
         const { view, time, asked, answer } = bench();
         time.value = 12;
@@ -163,10 +181,10 @@ describe('the file of the body', () => {
     it('has the field and the time that are shown, and the patches that were fetched', async () => {
         const { state, view, time, files, bodyFields } = bench();
         time.value = 2;
-        expect(await (await bodyFields.file())?.text()).toBe('<VTKFile');
+        expect(await (await bodyFields.file(new AbortController().signal))?.text()).toBe('<VTKFile');
         state.dataset.value = { ...state.dataset.value!, patches: [{ name: 'inlet', kind: 'other', triangles: 2 }] };
         view.body.value = { ...view.body.value, colourBy: 'speed', patches: ['inlet (other)'] };
-        await bodyFields.file();
+        await bodyFields.file(new AbortController().signal);
         const { dataset, velocity } = state.dataset.value;
         expect(files.map((path) => path.replace(`api/v1/datasets/${dataset}/body.vtp?`, ''))).toEqual([
             '',

@@ -10,6 +10,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { ColourMap } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
+import { type LateWaits, waitsSaid } from '../base/lateWaits.ts';
 import { attributeOf, canCome } from './surfaceStyleOf.ts';
 import { coloursOf } from './usualColours.ts';
 
@@ -86,11 +87,13 @@ export class BodyFields {
     private readonly answered = signal('');
     private readonly failed = signal(false);
     private readonly extent = signal<(BodyExtent & { dataset: string; field: string }) | null>(null);
+    private readonly waits: LateWaits;
     private asking = false;
 
     constructor(options: BodyFieldsOptions) {
         this.options = options;
         const { state, scene, view } = options;
+        this.waits = waitsSaid(state.notices, 'the values along the body');
         effect(() => {
             const [first = 0] = state.times.value;
             scene.body.setTime(options.moves() ? this.time() - first : null);
@@ -139,7 +142,7 @@ export class BodyFields {
     });
 
     /** The body as a .vtp file, with the field that is shown on it; null where the server did not send it, and why is told. */
-    async file(): Promise<Blob | null> {
+    async file(signal: AbortSignal): Promise<Blob | null> {
         const { server, state, view } = this.options;
         const dataset = state.dataset.value;
         const field = this.field.value;
@@ -150,12 +153,13 @@ export class BodyFields {
         try {
             const reply = await server.fetch(
                 `api/v1/datasets/${encodeURIComponent(dataset?.dataset ?? '')}/body.vtp?${query.toString()}`,
+                { signal },
             );
             if (!reply.ok) throw await faultOf(reply);
             state.notices.solved(aboutFile);
             return await reply.blob();
         } catch (error) {
-            state.notices.tell(aboutFile, error);
+            if (!signal.aborted) state.notices.tell(aboutFile, error);
             return null;
         }
     }
@@ -188,12 +192,15 @@ export class BodyFields {
         for (let wish = this.next(); wish !== null; wish = this.next()) {
             const { dataset, lattice } = state.dataset.value!;
             let failure: unknown = null;
-            const values = await worker
-                .bodyValues(dataset, lattice, wish.time, wish.field, wish.allPatches)
-                .catch((error: unknown) => {
-                    failure = error ?? new Error('The values along the body could not be loaded.');
-                    return null;
-                });
+            // Asked for again, what is wanted by then.
+            const ask = (): Promise<BodyValues | null> => {
+                wish = this.next() ?? wish!;
+                return worker.bodyValues(dataset, lattice, wish.time, wish.field, wish.allPatches);
+            };
+            const values = await this.waits.until(ask).catch((error: unknown) => {
+                failure = error ?? new Error('The values along the body could not be loaded.');
+                return null;
+            });
             // Switched off, or another dataset, meanwhile.
             if (this.wish.value === null || state.dataset.value?.dataset !== dataset) continue;
             if (failure === null) {

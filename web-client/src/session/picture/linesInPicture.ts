@@ -11,8 +11,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { putInto } from '../base/mapSignal.ts';
-import type { Edits } from '../edits/edits.ts';
-import { RecordDrafts } from '../edits/recordDrafts.ts';
+import { RecordDrafts, type RecordDraftsOptions } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
 import type { FieldColours, FieldMeaning } from './fieldColours.ts';
 import { LinesValues, type LinesWish } from './linesValues.ts';
@@ -26,7 +25,7 @@ export interface LinesOptions {
     scene: Pick<FlowScene, 'add'> & { loop: Pick<FlowScene['loop'], 'request'> };
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
-    edits: Pick<Edits, 'gestures' | 'history'>;
+    edits: RecordDraftsOptions<LinesRecord, LinesPlace>['edits'];
     /** Returns the time of the picture in some data; no number where nothing has one. */
     time: (dataset: string) => number;
 }
@@ -74,6 +73,7 @@ export class Lines {
         });
         this.drafts = new RecordDrafts<LinesRecord, LinesPlace>({
             ...{ state, edits, noun: 'lines', records: state.lines, placeOf },
+            own: ['field', 'range'],
             set: async (id, dataset, { range, ...place }, gesture) => {
                 const colours = range === null ? {} : { low: range[0], high: range[1] };
                 const known = id === undefined ? {} : { lines: id };

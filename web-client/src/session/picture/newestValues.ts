@@ -4,6 +4,7 @@
 import { effect, untracked } from '@preact/signals-core';
 import { faultOf, requestWords } from '../../connection/ownServer.ts';
 import type { AppState } from '../../state/appState.ts';
+import { toldLate } from '../base/lateWaits.ts';
 
 /** How finely values are asked for. Both the same: they are asked for once. */
 export interface Detail {
@@ -40,8 +41,6 @@ interface Thing<W> {
 
 /** So long it stands still before it is fine. */
 const restMs = 150;
-/** Whoever waits longer is told. */
-export const lateMs = 10_000;
 
 export class NewestValues<W, V> {
     private readonly options: NewestValuesOptions<W, V>;
@@ -109,26 +108,20 @@ export class NewestValues<W, V> {
     }
 
     private async ask(id: string, thing: Thing<W>, detail: number): Promise<void> {
-        const { fetch, path, read, arrived, told, now = () => performance.now() } = this.options;
+        const { path, read, arrived, told, now = () => performance.now() } = this.options;
         const { wish, key } = thing;
         const asked = { abort: new AbortController(), key, detail };
         thing.asked = asked;
         const begun = now();
         let fault: string | null = null;
         let values: V | null = null;
-        let isLate = false;
-        const tellLate = (now: boolean): void => this.options.late?.(id, (isLate = now));
-        const late = setTimeout(() => tellLate(true), lateMs);
         try {
-            const reply = await fetch(path(wish, detail), { signal: asked.abort.signal });
-            if (!reply.ok) throw await faultOf(reply);
-            values = read(await reply.arrayBuffer());
+            const answer = this.load(path(wish, detail), asked.abort.signal);
+            values = read(await toldLate(answer, (isLate) => this.options.late?.(id, isLate)));
             if (detail === this.options.detail.coarse) this.options.detail.learn(now() - begun);
         } catch (error) {
             fault = requestWords(error);
         }
-        clearTimeout(late);
-        if (isLate) tellLate(false);
         thing.asked = null;
         if (this.things.get(id) !== thing) return;
         // What was cancelled was not answered.
@@ -140,6 +133,12 @@ export class NewestValues<W, V> {
         if (values !== null) arrived(id, values, wish);
         this.next(id, thing);
         this.options.changed?.();
+    }
+
+    private async load(path: string, signal: AbortSignal): Promise<ArrayBuffer> {
+        const reply = await this.options.fetch(path, { signal });
+        if (!reply.ok) throw await faultOf(reply);
+        return reply.arrayBuffer();
     }
 }
 

@@ -1,5 +1,5 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { lateMs } from './newestValues.ts';
+import { lateMs } from '../base/lateWaits.ts';
 import { type SliceWish, pathOf, SliceValues } from './sliceValues.ts';
 
 const wish = (z: number): SliceWish => ({ dataset: 'flow', origin: [0, 0, z], normal: [0, 0, 1], field: 'p', time: 1 });

@@ -15,8 +15,7 @@ import type { ViewState } from '../../state/viewState.ts';
 import type { OwnServer } from '../../connection/ownServer.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { putInto } from '../base/mapSignal.ts';
-import type { Edits } from '../edits/edits.ts';
-import { RecordDrafts } from '../edits/recordDrafts.ts';
+import { RecordDrafts, type RecordDraftsOptions } from '../edits/recordDrafts.ts';
 import { dataTime } from '../time/timeSteps.ts';
 import { SlicePoints } from '../tools/slicePoints.ts';
 import type { FieldColours, FieldMeaning } from './fieldColours.ts';
@@ -38,7 +37,7 @@ export interface SlicesOptions {
     colours: FieldColours;
     server: Pick<OwnServer, 'fetch'>;
     worker: Pick<WorkerClient, 'call'>;
-    edits: Pick<Edits, 'gestures' | 'history'>;
+    edits: RecordDraftsOptions<SliceRecord, SlicePlace>['edits'];
     /** Returns the time of the picture in some data; no number where nothing has one. */
     time: (dataset: string) => number;
 }
@@ -99,6 +98,7 @@ export class Slices {
         });
         this.drafts = new RecordDrafts<SliceRecord, SlicePlace>({
             ...{ state, edits, noun: 'slice', records: state.slices, placeOf },
+            own: ['field', 'minus'],
             set: async (id, dataset, { minus, ...place }, gesture) => {
                 const slice = id === undefined ? {} : { slice: id };
                 return (await worker.call('slice.set', { ...slice, dataset, ...place, ...membersOf(minus), gesture })).slice;

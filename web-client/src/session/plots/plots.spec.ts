@@ -1,8 +1,10 @@
-import { expect, it } from 'vitest';
+import { afterEach, expect, it, vi } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
-import { settled } from '../../testing/fakes.ts';
+
 import { PageBench } from '../../testing/pageBench.ts';
 import { datasetOf, fieldOf } from '../../testing/records.ts';
+import { rested } from '../../testing/shownPanel.ts';
+import { lateMs } from '../base/lateWaits.ts';
 import { readNumbers } from '../surface/numberTable.ts';
 import { Plots } from './plots.ts';
 import { plotOfNumbers } from './surfaceNumbers.ts';
@@ -36,6 +38,25 @@ function opened(): { bench: PageBench; plots: Plots } {
     return { bench, plots };
 }
 
+afterEach(() => {
+    vi.useRealTimers();
+});
+
+it('words say that the server is late with values, which can be asked for again', async () => {
+    vi.useFakeTimers();
+    const { bench, plots } = opened();
+    bench.answers['probe.sample'] = () => new Promise(() => undefined);
+    bench.view.plot.value = 'rake';
+    await vi.advanceTimersByTimeAsync(lateMs - 1);
+    expect(plots.late.value).toBe(false);
+    await vi.advanceTimersByTimeAsync(1);
+    expect([plots.late.value, plots.plot.value]).toEqual([true, null]);
+    bench.answers['probe.sample'] = sampled;
+    plots.retry();
+    await vi.advanceTimersByTimeAsync(0);
+    expect([plots.late.value, plots.plot.value?.series.length]).toEqual([false, 1]);
+});
+
 it('along a line there are gaps where there is no fluid, and the axis is the distance', async () => {
     const { bench, plots } = opened();
     bench.view.measured.value = [
@@ -43,7 +64,7 @@ it('along a line there are gaps where there is no fluid, and the axis is the dis
         [1, 0, 0],
     ];
     bench.view.plot.value = 'line';
-    await settled();
+    await rested();
     const { x, series, places } = plots.plot.value!;
     expect([x.values[0], x.values[200], x.values[400]]).toEqual([0, 1, 2]);
     expect(series[0]).toMatchObject({ name: 'speed', unit: 'm/s' });
@@ -61,14 +82,14 @@ it('begins with what the surface is coloured by', async () => {
     const { bench, plots } = opened();
     bench.view.changeLook(bench.state.activeSurface.value!, { colourBy: 'field:p' });
     bench.view.plot.value = 'rake';
-    await settled();
+    await rested();
     expect(plots.drawn.value.map(({ name }) => name)).toEqual(['p']);
 });
 
 it('along the rake follows the rake, with the newest of what changes asked for next', async () => {
     const { bench, plots } = opened();
     bench.view.plot.value = 'rake';
-    await settled();
+    await rested();
     expect(plots.plot.value!.title).toContain('Along Rake 1');
     const before = bench.asked('probe.sample').length;
     for (const x of [1, 2, 3]) {
@@ -80,7 +101,7 @@ it('along the rake follows the rake, with the newest of what changes asked for n
             ],
         };
     }
-    await settled();
+    await rested();
     const asked = bench.asked('probe.sample').slice(before);
     expect(asked.length).toBe(2);
     expect(plots.plot.value!.series[0]!.values[0]).toBe(15);
@@ -90,17 +111,17 @@ it('over time asks for each time once, and says at how many there is no value', 
     const { bench, plots } = opened();
     bench.view.probeHeld.value = [2, 0, 0];
     bench.view.plot.value = 'point';
-    await settled();
+    await rested();
     expect(plots.plot.value!.series[0]!.values).toEqual([10, 10, 10]);
     plots.choose('p', true);
-    await settled();
+    await rested();
     expect(plots.plot.value!.series.map(({ name, values }) => [name, values])).toEqual([
         ['speed', [10, 10, 10]],
         ['p', [8.5, Number.NaN, 12]],
     ]);
     expect(plots.plot.value!.notes).toEqual(['p has no values at 1 of 3 times.']);
     bench.view.probeHeld.value = [-2, 0, 0];
-    await settled();
+    await rested();
     expect(plots.plot.value!.notes).toEqual(['This point is not in the fluid.']);
 });
 
@@ -110,11 +131,11 @@ it('that is closed asks for nothing more', async () => {
     bench.answers['probe.sample'] = () => new Promise((resolve) => waiting.push(resolve));
     bench.view.probeHeld.value = [2, 0, 0];
     bench.view.plot.value = 'point';
-    await settled();
+    await rested();
     expect(waiting.length).toBe(2);
     plots.close();
     for (const resolve of waiting) resolve(sampled({ points: [[2, 0, 0]], time: 8.5, fields: ['U'] }));
-    await settled();
+    await rested();
     expect(waiting.length).toBe(2);
     expect(plots.plot.value).toBeNull();
 });
@@ -123,13 +144,13 @@ it('data of one time say why there is nothing over time, and what a server refus
     const { bench, plots } = opened();
     bench.state.dataset.value = { ...bench.state.dataset.value!, times: [0] };
     bench.view.plot.value = 'point';
-    await settled();
+    await rested();
     expect(plots.fault.value).toContain('one time');
     bench.answers['probe.sample'] = () => {
         throw new Error('the file cannot be read');
     };
     bench.view.plot.value = 'rake';
-    await settled();
+    await rested();
     expect(plots.plot.value).toBeNull();
     expect(plots.fault.value).toContain('the file cannot be read');
 });
@@ -137,7 +158,7 @@ it('data of one time say why there is nothing over time, and what a server refus
 it('numbers of the surface are those that the server knows, over its time', async () => {
     const { bench, plots } = opened();
     bench.view.plot.value = 'surface';
-    await settled();
+    await rested();
     expect(plots.quantities.value.map(({ name }) => name)).toEqual(['area', 'cut']);
     expect(plots.plot.value).toMatchObject({ x: { name: 'time', unit: 's', values: [9, 10] }, notes: [] });
     expect(plots.plot.value!.series).toMatchObject([{ name: 'area', unit: 'm^2', values: [1, 2] }]);
@@ -162,7 +183,7 @@ it('over time, a time that could not be sampled is said, and no plot with a hole
     };
     bench.view.probeHeld.value = [1, 0, 0];
     bench.view.plot.value = 'point';
-    for (let i = 0; i < 12; ++i) await settled();
+    for (let i = 0; i < 12; ++i) await rested();
     expect(plots.fault.value).toContain('the disk is gone');
     expect(plots.plot.value).toBeNull();
 });

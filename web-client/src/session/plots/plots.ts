@@ -8,6 +8,7 @@ import type { AppState } from '../../state/appState.ts';
 import type { PlotOf, ViewState } from '../../state/viewState.ts';
 import type { WorkerClient } from '../../worker/workerClient.ts';
 import { CallError } from '../../worker/workerClient.ts';
+import { LateWaits } from '../base/lateWaits.ts';
 import type { MeshDownload } from '../out/meshDownload.ts';
 import { ownerName } from '../picture/surfaceOwner.ts';
 import { attributeOf } from '../picture/surfaceStyleOf.ts';
@@ -17,7 +18,7 @@ import { dataTime } from '../time/timeSteps.ts';
 import type { Plot } from './plot.ts';
 import { type PointsAlong, pointsAlong } from './plotLine.ts';
 import { type Quantity, quantitiesOf } from './quantities.ts';
-import { History, type HistoryWish, sampleLine } from './sampling.ts';
+import { History, type HistoryWish, type Sample, sampleLine } from './sampling.ts';
 import { plotOfNumbers, quantitiesIn } from './surfaceNumbers.ts';
 
 export interface PlotsOptions {
@@ -45,9 +46,12 @@ export class Plots {
     readonly fault = signal('');
     /** The part that is there; null: nothing is awaited. */
     readonly progress = signal<number | null>(null);
+    /** The server has not answered for long. */
+    readonly late = signal(false);
     /** Names of the quantities that are drawn, of the data and of surfaces. */
     readonly chosen = signal<{ data: readonly string[]; surface: readonly string[] }>({ data: [], surface: ['area'] });
     private readonly options: PlotsOptions;
+    private readonly waits = new LateWaits((late) => (this.late.value = late));
     private readonly table = signal<{ of: string; table: NumberTable } | null>(null);
     private of: PlotOf | null = null;
     private asked = '';
@@ -169,11 +173,7 @@ export class Plots {
         const { signal } = this.abort;
         this.next = async () => {
             try {
-                const plot = await sampleLine(
-                    wish,
-                    (params, stop) => this.options.worker.call('probe.sample', params, stop),
-                    signal,
-                );
+                const plot = await sampleLine(wish, this.sample, signal);
                 if (!signal.aborted) this.show(plot, '');
             } catch (error) {
                 this.failed(error, signal);
@@ -189,6 +189,14 @@ export class Plots {
         if (of === 'line') return `From ${words(points[0])} to ${words(points.at(-1))}`;
         return `Along ${state.rake.value?.name || 'the rake'}`;
     }
+
+    /** What has not been answered for long is asked for again. */
+    retry(): void {
+        this.waits.again();
+    }
+
+    private readonly sample: Sample = (params, ended) =>
+        this.waits.until((stop) => this.options.worker.call('probe.sample', params, stop), ended);
 
     private async goOn(): Promise<void> {
         if (this.sampling) return;
@@ -229,7 +237,7 @@ export class Plots {
         };
         draw(0);
         try {
-            await values.sample(wish, (params, stop) => this.options.worker.call('probe.sample', params, stop), signal, draw);
+            await values.sample(wish, this.sample, signal, draw);
             if (!signal.aborted) this.show(values.plot(wish), '');
         } catch (error) {
             this.failed(error, signal);
@@ -263,12 +271,11 @@ export class Plots {
         if (!(Math.abs(to - from) > 0)) return this.show(null, 'This surface has one time: there is nothing to plot over time.');
         this.show(null, 'Being computed …');
         const times = `${from}:${to}:${Math.abs(to - from) / numberTimes}`;
-        const { text, fault } = await mesh.numbers(
-            state.session.value ?? '',
-            surface,
-            { times, fields: fields.join('\n') },
-            signal,
-        );
+        const query = { times, fields: fields.join('\n') };
+        const session = state.session.value ?? '';
+        const { text, fault } = await this.waits
+            .until((stop) => mesh.numbers(session, surface, query, stop), signal)
+            .catch(() => ({ text: null, fault: '' }));
         if (signal.aborted) return;
         if (text === null) this.show(null, fault);
         else this.table.value = { of, table: readNumbers(text) };

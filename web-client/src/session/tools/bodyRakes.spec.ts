@@ -19,10 +19,17 @@ function overSquare() {
     };
     const scene = {
         body: { triangles: { ...body, shown: body.indices } },
-        pickGrid: ({ x, y }: { x: number; y: number }) => ({
-            hits: [x <= 10 || x >= 90 ? { surface: null, point: [x, y, 0] as Vec3 } : null],
-        }),
-        view: () => ({ outside: [5, 5, 100] }),
+        pickGrid: ({ x, y }: { x: number; y: number }, radius: number) => {
+            const [corner, size] = [{ x: x - radius, y: y - radius }, 2 * radius + 1];
+            const places = Array.from({ length: size ** 2 }, (_, i): Vec3 => [
+                corner.x + (i % size),
+                corner.y + Math.floor(i / size),
+                0,
+            ]);
+            const isSeen = ([at]: Vec3): boolean => at <= 10 || at >= 90;
+            return { corner, size, hits: places.map((point) => (isSeen(point) ? { surface: null, point } : null)) };
+        },
+        view: () => ({ outside: [5, 5, 100], worldPerPx: () => 0.1 }),
         pointerTools: { add: () => undefined },
     };
     const tool = new BodyRakes({
@@ -116,5 +123,34 @@ it('a line does not begin on a body of another dataset', () => {
     view.chosenThing.value = newBodyRake;
     click(95, 2);
     expect(view.besidePointer.value?.words).toBe('There is no body of this dataset here.');
+    expect(view.bodyWay.value.clicked).toEqual([]);
+});
+
+it('a click near a sharp edge, or a little beside it, follows it; elsewhere words say that there is none', async () => {
+    const { view, tool, made, click } = overSquare();
+    view.chosenThing.value = newBodyRake;
+    tool.alongEdge.value = true;
+    click(5, 5);
+    expect([view.besidePointer.value?.words, tool.canEnd]).toEqual(['There is no sharp edge here. Click closer to one.', false]);
+    click(9, 5);
+    expect([view.bodyWay.value.way.length, tool.canEnd]).toEqual([2, true]);
+    click(5, 5);
+    expect([view.bodyWay.value.way.length, tool.canEnd]).toEqual([0, false]);
+    click(15, 5);
+    tool.typedOff.value = 0.5;
+    await tool.end();
+    expect(made.map(({ points }) => points)).toEqual([
+        [
+            [10, 0, 0.5],
+            [10, 10, 0.5],
+        ],
+    ]);
+});
+
+it('an edge is no part of a line: what was clicked goes with the choice between them', () => {
+    const { view, tool, click } = overSquare();
+    view.chosenThing.value = newBodyRake;
+    click(1, 2);
+    tool.alongEdge.value = true;
     expect(view.bodyWay.value.clicked).toEqual([]);
 });

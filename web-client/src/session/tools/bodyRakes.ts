@@ -1,16 +1,21 @@
-// Rakes that stand off a body: along a line that is drawn on it, click by click, or along the outline of a patch. Loaded after the first picture.
+// Rakes that stand off a body: along a line that is drawn on it, click by click, along a sharp edge of it or the outline of a patch. Loaded after
+// the first picture.
 import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals-core';
 import { limits } from '../../protocol/generated/limits.ts';
 import type { DatasetDescription, Vec3 } from '../../protocol/messages.ts';
 import type { Pointer, PointerTool } from '../../scene/base/pointerTools.ts';
+import type { ScreenPoint } from '../../scene/base/view.ts';
 import { minus, type RakeShape } from '../../scene/rake/rakeShape.ts';
 import type { FlowScene } from '../../scene/scene.ts';
+import type { PickHit } from '../../scene/surface/pickHit.ts';
 import type { AppState } from '../../state/appState.ts';
 import { type Patch, patchSpans } from '../../state/bodyPatches.ts';
 import { newBodyRake, type ViewState } from '../../state/viewState.ts';
 import type { RecordActions } from '../edits/recordActions.ts';
 import { gridOf } from '../base/gridOf.ts';
-import { liesOn, outlineOf, simplified, standOff, type Triangles, wayAlong, type WayPoint } from './bodyWay.ts';
+import type { Triangles } from './bodyEdges.ts';
+import { liesOn, outlineOf, simplified, standOff, wayAlong, type WayPoint } from './bodyWay.ts';
+import { sharpEdgeNear } from './sharpEdge.ts';
 
 export interface BodyRakesOptions {
     state: Pick<AppState, 'allPatchesShown' | 'dataset' | 'datasets' | 'locked' | 'role'>;
@@ -24,6 +29,8 @@ const usuallyOff = 0.005;
 const leastOff = 1e-6;
 /** Of how far it stands off: so exactly it follows the body. */
 const exactness = 0.05;
+/** So far beside the pointer, in pixels, an edge and a body are found: what is sharp is often at the rim of what is seen. */
+const edgeWithinPx = 12;
 /** A rake of more is tedious to change. */
 const mostPoints = Math.min(200, limits.rakePoints);
 
@@ -33,6 +40,8 @@ export class BodyRakes implements PointerTool {
     readonly off: ReadonlySignal<number>;
     /** The least and the most that it can be. */
     readonly offSpan: ReadonlySignal<readonly [number, number]>;
+    /** A click takes the sharp edge there: it is no point of a line. */
+    readonly alongEdge = signal(false);
     /** Rakes can be made, and none is being made. */
     readonly canMake: ReadonlySignal<boolean>;
     private readonly making = signal(false);
@@ -76,28 +85,40 @@ export class BodyRakes implements PointerTool {
             void this.off.value;
             this.show();
         });
+        effect(() => {
+            void this.alongEdge.value;
+            untracked(() => this.clear());
+        });
         // A connection that is lost may come back.
         effect(() => {
             if (state.role.value === 'viewer' && view.tool.value === 'bodyRake') this.putAway();
         });
     }
 
-    /** There are two points. */
+    /** There is a line. */
     get canEnd(): boolean {
-        return this.options.view.bodyWay.value.clicked.length > 1 && this.canMake.value;
+        return this.options.view.bodyWay.value.way.length > 1 && this.canMake.value;
     }
 
     click({ at }: Pointer): boolean {
         const { view, scene } = this.options;
         if (view.tool.value !== 'bodyRake') return false;
         const say = (words: string): void => void (view.besidePointer.value = { at, words });
-        const hit = scene.pickGrid(at, 0, {}).hits[0];
+        const hit = this.hitAt(at, this.alongEdge.value ? edgeWithinPx : 0);
         const body = this.shown();
-        if (hit === undefined || hit === null || hit.surface !== null || body === null) {
+        if (hit === null || body === null) {
             say('There is no body here. Click on one.');
             return true;
         }
         const eye = scene.view().outside;
+        if (this.alongEdge.value) {
+            const within = edgeWithinPx * scene.view().worldPerPx(hit.point);
+            const edge = sharpEdgeNear(body, hit.point, eye, within, isStepped(this.options.state.dataset.value));
+            [this.clicked, this.way] = typeof edge === 'string' ? [[], []] : [[hit.point], edge];
+            say(typeof edge === 'string' ? edge : 'Enter makes the rake, or click another edge.');
+            this.show();
+            return true;
+        }
         const before = this.clicked.at(-1);
         if (before === undefined) {
             if (!liesOn(body, hit.point, eye)) {
@@ -147,6 +168,15 @@ export class BodyRakes implements PointerTool {
         return null;
     }
 
+    /** The nearest of what is seen round a place, if that is a body. */
+    private hitAt(at: ScreenPoint, radius: number): PickHit | null {
+        const { corner, size, hits } = this.options.scene.pickGrid(at, radius, {});
+        const apart = (i: number): number => Math.hypot(corner.x + (i % size) - at.x, corner.y + Math.floor(i / size) - at.y);
+        const seen = hits.flatMap((hit, i) => (hit === null ? [] : [{ hit, apart: apart(i) }]));
+        const hit = seen.sort((a, b) => a.apart - b.apart)[0]?.hit;
+        return hit?.surface === null ? hit : null;
+    }
+
     private async make(way: readonly WayPoint[]): Promise<void> {
         if (!this.canMake.value) return;
         const off = this.off.value;
@@ -182,6 +212,11 @@ export class BodyRakes implements PointerTool {
 function diagonalOf(dataset: DatasetDescription | null): number {
     const bounds = dataset?.bounds ?? [0, 0, 0, 0, 0, 0];
     return Math.hypot(...[0, 1, 2].map((k) => bounds[2 * k + 1]! - bounds[2 * k]!));
+}
+
+/** Its body is where a mask of the grid says, in the grid's boxes. */
+function isStepped(dataset: DatasetDescription | null): boolean {
+    return (dataset?.grid === 'uniform' || dataset?.grid === 'rectilinear') && (dataset.patches ?? []).length === 0;
 }
 
 function middleOf({ bounds }: DatasetDescription): Vec3 {

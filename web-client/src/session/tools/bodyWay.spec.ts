@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec3 } from '../../protocol/messages.ts';
 import { distance } from '../../scene/rake/rakeShape.ts';
-import { liesOn, outlineOf, simplified, standOff, type Triangles, wayAlong, type WayPoint } from './bodyWay.ts';
+import type { Triangles } from './bodyEdges.ts';
+import { liesOn, outlineOf, simplified, standOff, wayAlong, type WayPoint } from './bodyWay.ts';
 
 /** Corners of quads, each with vertices of its own. */
 function quads(...all: Vec3[][]): Triangles {

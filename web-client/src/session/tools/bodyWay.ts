@@ -2,11 +2,7 @@
 // found stands off the body by any distance. Triangles that meet have corners at the same places, not always the same ones.
 import type { Vec3 } from '../../protocol/messages.ts';
 import { across, cross, distance, dot, lengthOf, minus, plus, times, unit } from '../../scene/rake/rakeShape.ts';
-
-export interface Triangles {
-    positions: ArrayLike<number>;
-    indices: ArrayLike<number>;
-}
+import { alone, BodyEdges, cornerOf, type Triangles } from './bodyEdges.ts';
 
 /** A place on a body, and which way it stands off: its length makes up for what a corner takes. */
 export interface WayPoint {
@@ -98,59 +94,15 @@ interface BorderEdge {
     inside: Vec3;
 }
 
-function borderOf({ positions, indices }: Triangles): BorderEdge[] {
-    const places = placesOf({ positions, indices });
-    const corner = (i: number): Vec3 => cornerOf(positions, indices[i]!);
-    const next = (i: number): number => (i % 3 === 2 ? i - 2 : i + 1);
-    const none = -1;
-    const keys = new Float64Array(places.length).fill(none);
-    for (let t = 0; t + 2 < places.length; t += 3) {
-        const [p, q, r] = [places[t]!, places[t + 1]!, places[t + 2]!];
-        if (p === q || q === r || r === p || lengthOf(normalOf(corner(t), corner(t + 1), corner(t + 2))) === 0) continue;
-        for (let i = t; i < t + 3; ++i) {
-            const [from, to] = [places[i]!, places[next(i)]!];
-            keys[i] = Math.min(from, to) * places.length + Math.max(from, to);
-        }
-    }
-    const sorted = keys.slice().sort();
-    const single = new Set(sorted.filter((key, i) => key !== none && key !== sorted[i - 1] && key !== sorted[i + 1]));
+function borderOf(body: Triangles): BorderEdge[] {
+    const edges = new BodyEdges(body);
     const border: BorderEdge[] = [];
-    for (let i = 0; i < keys.length; ++i) {
-        if (!single.has(keys[i]!)) continue;
-        const [j, k] = [next(i), next(next(i))];
-        const [a, b] = [corner(i), corner(j)];
-        const inside = unit(cross(normalOf(a, b, corner(k)), minus(b, a)));
-        border.push({ from: places[i]!, to: places[j]!, a, b, inside });
+    for (let i = 0; i < body.indices.length; ++i) {
+        if (!edges.isThere(i) || edges.across(i) !== alone) continue;
+        const [from, to] = edges.ends(i);
+        border.push({ from, to, a: edges.at(from), b: edges.at(to), inside: edges.inside(i) });
     }
     return border;
-}
-
-/** Returns a number for each corner: the same where places are the same. */
-function placesOf({ positions, indices }: Triangles): Int32Array {
-    const bits = Math.ceil(Math.log2(2 * indices.length + 2));
-    const table = new Int32Array(2 ** bits).fill(-1);
-    const at = new Float32Array(3);
-    const words = new Int32Array(at.buffer);
-    const places = new Int32Array(indices.length);
-    for (let i = 0; i < places.length; ++i) {
-        const v = 3 * indices[i]!;
-        let hash = 0;
-        for (let k = 0; k < 3; ++k) {
-            at[k] = positions[v + k]! + 0; // -0 is where 0 is
-            hash = Math.imul(hash ^ words[k]!, 0x9e3779b1);
-            hash ^= hash >>> 15;
-        }
-        let slot = Math.imul(hash, 0x9e3779b1) >>> (32 - bits);
-        for (; table[slot]! >= 0; slot = (slot + 1) % table.length) {
-            const w = 3 * indices[table[slot]!]!;
-            const isSame =
-                positions[v] === positions[w] && positions[v + 1] === positions[w + 1] && positions[v + 2] === positions[w + 2];
-            if (isSame) break;
-        }
-        if (table[slot]! < 0) table[slot] = i;
-        places[i] = table[slot]!;
-    }
-    return places;
 }
 
 /** Returns the edges in order, each from where the last one ends. Empty: nowhere do they close. */
@@ -192,7 +144,7 @@ function cutsOf({ positions, indices }: Triangles, across: Vec3, at: number): Cu
         const sides = off.map((each) => each >= 0);
         if (sides[0] === sides[1] && sides[1] === sides[2]) continue;
         const corners = [0, 1, 2].map((k) => cornerOf(positions, indices[t + k]!));
-        const normal = unit(normalOf(corners[0]!, corners[1]!, corners[2]!));
+        const normal = unit(cross(minus(corners[1]!, corners[0]!), minus(corners[2]!, corners[0]!)));
         if (lengthOf(normal) === 0) continue;
         const crossed = [0, 1, 2].filter((k) => sides[k] !== sides[(k + 1) % 3]);
         const [a, b] = crossed.map((k) => crossing(corners[k]!, corners[(k + 1) % 3]!, off[k]!, off[(k + 1) % 3]!));
@@ -217,7 +169,7 @@ function nearest(cuts: readonly Cut[], to: Vec3): { cut: Cut; apart: number } | 
     return found;
 }
 
-function closestOn(a: Vec3, b: Vec3, to: Vec3): Vec3 {
+export function closestOn(a: Vec3, b: Vec3, to: Vec3): Vec3 {
     const along = minus(b, a);
     const square = dot(along, along);
     const part = square > 0 ? Math.min(1, Math.max(0, dot(minus(to, a), along) / square)) : 0;
@@ -280,7 +232,7 @@ function wayOf(pieces: readonly Piece[], across: Vec3, towards: Vec3): WayPoint[
 }
 
 /** Is as far from both planes as 1 is long, but in the sharpest corners. */
-function mitre(a: Vec3, b: Vec3): Vec3 {
+export function mitre(a: Vec3, b: Vec3): Vec3 {
     return times(plus(a, b), 1 / Math.max(1 + dot(a, b), roundFrom));
 }
 
@@ -299,14 +251,6 @@ function kneesOf(points: readonly Vec3[], within: number): Vec3[] {
         spans.push([from, at], [at, to]);
     }
     return points.filter((_, i) => kept.has(i));
-}
-
-function cornerOf(positions: ArrayLike<number>, vertex: number): Vec3 {
-    return [positions[3 * vertex]!, positions[3 * vertex + 1]!, positions[3 * vertex + 2]!];
-}
-
-function normalOf(a: Vec3, b: Vec3, c: Vec3): Vec3 {
-    return cross(minus(b, a), minus(c, a));
 }
 
 function sizeOf({ positions }: Triangles): number {

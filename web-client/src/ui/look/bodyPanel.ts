@@ -9,8 +9,9 @@ import { toggled } from '../../state/pageView.ts';
 import { type BodyLook } from '../../state/bodyLook.ts';
 import { colourMaps } from '../../state/surfaceLook.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { fileName, saveFile } from '../base/copyAndSave.ts';
+import { fileName } from '../base/copyAndSave.ts';
 import { checkRow, type Choice, pairRow, selectRow } from '../base/rows.ts';
+import { SavedFile } from '../base/savedFile.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import { mapNames } from './colourNames.ts';
 import { lookStyles } from './lookStyles.ts';
@@ -27,6 +28,8 @@ const shear = ' At a wall at which the fluid rests, vorticity is the shear rate:
 const flowing = ' Where the clock runs, the texture goes with the flow.';
 
 export class BodyPanel extends ModelElement<BodyModel> {
+    private readonly saved = new SavedFile();
+
     static override styles = [
         lookStyles,
         css`
@@ -53,8 +56,9 @@ export class BodyPanel extends ModelElement<BodyModel> {
             ${checkRow('Show the flow along the body', body.texture, (texture) => this.change({ texture }), { id: 'body-texture' })}
             ${this.said(body)} ${this.patches(dataset?.patches ?? [])}
             <div class="buttons">
-                <button type="button" id="body-save" title="for ParaView, with the values shown" @click=${() => void this.save()}>Save as .vtp</button>
+                <button type="button" id="body-save" title="for ParaView, with the values shown" ?disabled=${this.saved.isAwaited} @click=${() => void this.save()}>Save as .vtp</button>
             </div>
+            ${this.saved.row()}
         `;
     }
 
@@ -106,10 +110,9 @@ export class BodyPanel extends ModelElement<BodyModel> {
         return words === '' ? nothing : html`<p class="quiet" role="status">${words}</p>`;
     }
 
-    private async save(): Promise<void> {
+    private save(): Promise<void> {
         const { bodyFields, state } = this.model;
-        const file = await bodyFields.file();
-        if (file !== null) saveFile(file, fileName(state.dataset.value?.name, 'body.vtp'));
+        return this.saved.save(fileName(state.dataset.value?.name, 'body.vtp'), (signal) => bodyFields.file(signal));
     }
 
     private colourBy(colourBy: string): void {

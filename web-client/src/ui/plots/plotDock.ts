@@ -16,6 +16,7 @@ import type { Playback } from '../../session/time/playback.ts';
 import { isolated } from '../../state/announcements.ts';
 import type { PlotOf } from '../../state/viewState.ts';
 import { fileName, saveFile } from '../base/copyAndSave.ts';
+import { lateRow } from '../base/lateRow.ts';
 import { vectorFields } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 import './plotChart.ts';
@@ -241,7 +242,7 @@ export class PlotDock extends ModelElement<PlotDockModel> {
                 </button>
                 <button type="button" aria-label="Close the plot" @click=${() => plots.close()}>✕</button>
             </div>
-            ${this.place(of)}
+            <div>${this.place(of)} ${lateRow(plots.late.value, () => plots.retry())}</div>
             <div class="body">${plot === null ? html`<p class="quiet fault" role="status">${plots.fault.value}</p>` : this.body(plot)}</div>`;
     }
 

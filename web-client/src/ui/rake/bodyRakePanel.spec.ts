@@ -10,6 +10,7 @@ const bodyRakes = {
     typedOff: signal<number | null>(null),
     off: signal(0.1),
     offSpan: signal([1e-5, 20]),
+    alongEdge: signal(false),
     canMake: signal(true),
     canEnd: true,
     end: vi.fn(() => Promise.resolve()),

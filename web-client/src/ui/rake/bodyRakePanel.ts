@@ -1,4 +1,4 @@
-// A rake that stands off a body: how far, along what is clicked, or along the outline of a patch.
+// A rake that stands off a body: how far, along what is clicked, a sharp edge or the outline of a patch.
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { fieldNumber, resolutionOf } from '../../scene/base/numbers.ts';
@@ -7,7 +7,7 @@ import { isolated } from '../../state/announcements.ts';
 import type { AppState } from '../../state/appState.ts';
 import { type Patch, patchId } from '../../state/bodyPatches.ts';
 import type { ViewState } from '../../state/viewState.ts';
-import { numberRow, selectRow } from '../base/rows.ts';
+import { checkRow, numberRow, selectRow } from '../base/rows.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 /** Loaded with the panel, after the first picture. */
@@ -41,16 +41,18 @@ export class BodyRakePanel extends ModelElement<BodyRakesModel> {
         const { clicked } = view.bodyWay.value;
         const off = bodyRakes.off.value;
         const [least, most] = bodyRakes.offSpan.value;
-        const said =
-            clicked.length === 0 ? 'Click points on a body, one after the other.' : `${clicked.length} of its points are set.`;
+        const alongEdge = bodyRakes.alongEdge.value;
+        const ask = alongEdge ? 'Click a sharp edge of a body.' : 'Click points on a body, one after the other.';
+        const told = alongEdge ? 'The edge is followed.' : `${clicked.length} of its points are set.`;
         return html`
             ${numberRow('Off the body by', {
                 ...{ id: 'body-rake-off', min: least, max: most, shown: fieldNumber(off, resolutionOf(0, off)) },
                 change: (value) => void (bodyRakes.typedOff.value = value),
             })}
-            <p class="quiet" role="status" id="body-rake-told">${said}</p>
+            ${checkRow('Follow a sharp edge', alongEdge, (on) => (bodyRakes.alongEdge.value = on), { id: 'body-rake-edge' })}
+            <p class="quiet" role="status" id="body-rake-told">${clicked.length === 0 ? ask : told}</p>
             <div class="buttons">
-                <button type="button" id="body-rake-end" title="Or press Enter" ?disabled=${!bodyRakes.canEnd} @click=${() => void bodyRakes.end()}>End the line</button>
+                <button type="button" id="body-rake-end" title="Or press Enter" ?disabled=${!bodyRakes.canEnd} @click=${() => void bodyRakes.end()}>${alongEdge ? 'Make the rake' : 'End the line'}</button>
                 <button type="button" id="body-rake-cancel" title="Or press Esc" @click=${() => (view.tool.value = 'none')}>Cancel</button>
             </div>
             ${this.outline(dataset.patches ?? [])}

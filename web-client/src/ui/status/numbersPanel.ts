@@ -3,11 +3,14 @@
 import { signal } from '@preact/signals-core';
 import { css, html, nothing, type TemplateResult } from 'lit';
 import { shortNumber } from '../../scene/base/numbers.ts';
+import { LateWaits } from '../../session/base/lateWaits.ts';
 import type { MeshDownload } from '../../session/out/meshDownload.ts';
 import { withUnit } from '../../session/picture/writtenNumbers.ts';
 import { averagedFields, type NumberTable, readNumbers } from '../../session/surface/numberTable.ts';
 import type { AppState } from '../../state/appState.ts';
-import { fileName, saveFile } from '../base/copyAndSave.ts';
+import { fileName } from '../base/copyAndSave.ts';
+import { lateRow } from '../base/lateRow.ts';
+import { SavedFile } from '../base/savedFile.ts';
 import { ModelElement } from '../base/signalElement.ts';
 
 /** Rows of the file over time. */
@@ -44,6 +47,9 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
     private readonly open = signal(false);
     private readonly through = signal('');
     private readonly found = signal<{ of: string; table: NumberTable | null; fault: string } | null>(null);
+    private readonly late = signal(false);
+    private readonly waits = new LateWaits((late) => (this.late.value = late));
+    private readonly saved = new SavedFile();
     private asked = '';
     private request: AbortController | null = null;
 
@@ -102,9 +108,11 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
                     @change=${(event: Event) => (this.through.value = (event.target as HTMLInputElement).value.trim())}
             /></label>
             ${now === null ? html`<p class="quiet">${complete ? 'Being computed …' : 'Once the surface is complete.'}</p>` : nothing}
+            ${now === null ? lateRow(this.late.value, () => this.waits.again()) : nothing}
             ${now?.fault ? html`<p class="problem" role="alert">${now.fault}</p>` : nothing}
             ${now?.table ? list(now.table, this.model.state.dataset.value?.velocity) : nothing}
-            <button type="button" ?disabled=${!complete} @click=${() => this.save()}>CSV over time</button>`;
+            <button type="button" ?disabled=${!complete || this.saved.isAwaited} @click=${() => this.save()}>CSV over time</button>
+            ${this.saved.row()}`;
     }
 
     /** Once a state and a place; a newer question ends the one before. */
@@ -117,7 +125,11 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
         const answered = (table: NumberTable | null, fault: string): void => {
             if (!request.signal.aborted) this.found.value = { of, table, fault };
         };
-        this.model.mesh.numbers(this.model.state.session.value ?? '', surface, this.query(), request.signal).then(
+        const { mesh, state } = this.model;
+        const query = this.query();
+        const numbers = (stop: AbortSignal): ReturnType<MeshDownload['numbers']> =>
+            mesh.numbers(state.session.value ?? '', surface, query, stop);
+        this.waits.until(numbers, request.signal).then(
             ({ text, fault }) => answered(text === null ? null : readNumbers(text), fault),
             () => answered(null, ''),
         );
@@ -140,9 +152,13 @@ export class NumbersPanel extends ModelElement<NumbersModel> {
         const every = Math.abs(to - from) / intervals;
         const query = this.query();
         if (every > 0) query['times'] = `${from}:${to}:${every}`;
-        const { text, fault } = await mesh.numbers(session.value, activeSurface.value, query);
-        if (text !== null) saveFile(new Blob([text], { type: 'text/csv' }), fileName(dataset.value?.name, `${kind}-numbers.csv`));
-        else if (this.found.value !== null) this.found.value = { ...this.found.value, fault };
+        const [of, id] = [session.value, activeSurface.value];
+        await this.saved.save(fileName(dataset.value?.name, `${kind}-numbers.csv`), async (signal) => {
+            const { text, fault } = await mesh.numbers(of, id, query, signal);
+            if (text !== null) return new Blob([text], { type: 'text/csv' });
+            if (!signal.aborted && this.found.value !== null) this.found.value = { ...this.found.value, fault };
+            return null;
+        });
     }
 }
 
