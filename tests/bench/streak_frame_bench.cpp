@@ -1,5 +1,6 @@
 // Frames of an animated streak or time surface: every step carries 100,000 vertices, refines the mesh and
 // releases what is due.
+#include "core/base/loop_times.hpp"
 #include "core/surface/moving/moving_surface.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/support/interleaved.hpp"
@@ -8,8 +9,12 @@
 
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
+#include <span>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 namespace wakesurf::bench {
@@ -22,6 +27,7 @@ constexpr double separation_in_cells = 0.3;
 constexpr double target_steps_per_second = 30.0;
 constexpr double target_million_vertex_steps = 5.0;
 constexpr double target_two_threads = 1.7;
+constexpr double target_serial_share = 0.05;
 
 /// What a mesh should take: 200 bytes a vertex and 100 a cell.
 double planned_bytes(const core::MovingMesh& mesh) {
@@ -46,6 +52,29 @@ const core::Clock& steady_clock() {
     static const core::SteadyClock clock;
     return clock;
 }
+
+/// Where the time of frames goes that one thread makes: into loops that threads share, and into what waits for one.
+struct Division {
+    double work = 0.0, shared = 0.0; ///< seconds
+    std::vector<core::LoopTimes::Taken> loops;
+
+    void add(double seconds, std::span<const core::LoopTimes::Taken> more) {
+        work += seconds;
+        for (const auto& each : more)
+            shared += each.seconds;
+        loops.insert(loops.end(), more.begin(), more.end());
+    }
+
+    double serial() const { return work - shared; }
+
+    /// The time on so many cores that all are as fast as one alone, which memory they share does not allow: a bound.
+    double on_cores(double cores) const {
+        double sum = serial();
+        for (const auto& each : loops)
+            sum += each.seconds / std::max(1.0, std::min(cores, each.tasks));
+        return sum;
+    }
+};
 
 struct Grown {
     core::SurfaceKind kind;
@@ -86,8 +115,12 @@ void measure(benchmark::State& state, const Grown& asked) {
             const core::SurfaceStatistics before = surface.statistics();
             std::vector<double> seconds, snapshots;
             double sum = 0.0;
+            Division division;
             for (int i = 0; i < frames; ++i) {
-                seconds.push_back(seconds_of([&] { step(surface); }));
+                const core::LoopTimes times;
+                const double wall =
+                    wall_seconds_of([&] { seconds.push_back(seconds_of([&] { step(surface); })); });
+                division.add(wall, times.loops());
                 sum += seconds.back();
                 if (i % 8 == 0)
                     snapshots.push_back(
@@ -112,6 +145,14 @@ void measure(benchmark::State& state, const Grown& asked) {
             state.counters["snapshot_ms"] = 1e3 * summarize(std::move(snapshots)).median;
             state.counters["bytes_of_planned"] =
                 static_cast<double>(surface.state().bytes()) / planned_bytes(surface.state().mesh);
+            state.counters["serial_ms"] = 1e3 * division.serial() / frames;
+            state.counters["serial_share"] = division.serial() / division.work;
+            state.counters["target_serial_share"] = target_serial_share;
+            state.counters["span_ms"] =
+                1e3 * division.on_cores(std::numeric_limits<double>::infinity()) / frames;
+            for (const double cores : {4.0, 16.0, 64.0})
+                state.counters["bound_on_" + std::to_string(int(cores)) + "_cores"] =
+                    division.work / division.on_cores(cores);
             describe(state, surface);
         }
     });
