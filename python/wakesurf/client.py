@@ -257,7 +257,8 @@ class Client(Helpful):
         `describe`), or `all_patches`. `field`: a value beside the wall for each point, at `time`; left out, the last. Error: NotFound
         where there is none, InvalidParameters, OutsideTimeRange.
 
-        >>> client.body("sphere", field="velocity")[:21]
+        >>> with wakesurf.serve("flow:sphere") as own:
+        ...     own.client.body("sphere", field="velocity")[:21]
         b'<?xml version="1.0"?>'
         """
         query = {**({"patch": patch} if patch is not None else {}), **({"patches": "all"} if all_patches else {})}
