@@ -288,7 +288,7 @@ function start(app: App, { url, server, worker }: Connected, graphics: Graphics,
     };
     worker.listen(
         () => scene.movingResolution.sparing,
-        (event) => dispatchWorkerEvent(event, { state, feed, events, controller, server, loginEnded }),
+        (event) => dispatchWorkerEvent(event, { state, feed, events, controller, loginEnded }),
     );
     const end = (): void => {
         removeEventListener('online', retryNow);
@@ -308,7 +308,13 @@ function besideOf(left: Half, right: Page | null): BesideFigure | null {
 function openBeside(options: BesideOptions): Page {
     const graphics = probeGraphics();
     if (graphics === null) throw new Error(noWebGl2);
-    return start(new App(), connect(options.url), graphics, options);
+    const connected = connect(options.url);
+    try {
+        return start(new App(), connected, graphics, options);
+    } catch (error) {
+        connected.worker.stop();
+        throw error;
+    }
 }
 
 /** Makes the page where the document has a place for it. */

@@ -7,4 +7,10 @@ const url = readFragment(location.hash);
 // The token must not stay in the address bar, in the history or in a link that is passed on.
 showFragment(writeFragment(url.session, url.dataset, new URLSearchParams(location.hash.slice(1)).get('state')));
 const connected = connect(url);
-void import('./main.ts').then(({ startPage }) => startPage(connected));
+import('./main.ts').then(
+    ({ startPage }) => startPage(connected),
+    () => {
+        connected.worker.stop();
+        document.body.append('The page could not be loaded. Reload it once the server can be reached.');
+    },
+);

@@ -27,8 +27,7 @@ TriangleId MaterialTriangles::add(VertexId a, VertexId b, VertexId c) {
     slots_[t] = Triangle{};
     slots_[t].vertex = {a, b, c};
     slots_[t].live = true;
-    if (const VertexId last = std::max({a, b, c}); last >= of_.size()) {
-        const std::size_t wanted = last + 1;
+    if (const std::size_t wanted = std::max({a, b, c}) + std::size_t{1}; wanted > of_.size()) {
         if (wanted > of_.capacity()) {
             of_.reserve(wanted + wanted / 8 + 256);
             uses_.reserve(wanted + wanted / 8 + 256);
@@ -74,11 +73,9 @@ void MaterialTriangles::remove(TriangleId t) {
 }
 
 void MaterialTriangles::relink(TriangleId t, TriangleId from, TriangleId to) {
-    for (TriangleId& across : slots_[t].across)
-        if (across == from) {
-            across = to;
-            return;
-        }
+    auto& across = slots_[t].across;
+    if (const auto found = std::find(across.begin(), across.end(), from); found != across.end())
+        *found = to;
 }
 
 /// The triangle is about to become another one.
@@ -283,8 +280,8 @@ bool MaterialTriangles::collapsible(VertexId gone,
     if (boundary && other_boundary && shared != 1)
         return false; // the edge goes from one boundary to another, or along a bridge
     const auto has = [&](std::span<const TriangleId> triangles, VertexId v) {
-        return std::any_of(triangles.begin(), triangles.end(),
-                           [&](TriangleId t) { return slots_[t].edge_from(v) < 3; });
+        return std::ranges::any_of(triangles,
+                                   [&](TriangleId t) { return slots_[t].edge_from(v) < 3; });
     };
     std::size_t common = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -137,7 +137,7 @@ class MaterialTriangles {
     /// ones among them.
     std::vector<TriangleId>& loose() { return loose_; }
 
-    /// Vertices that no triangle has any more, or that hang on none, since the list was last cleared; some again used.
+    /// Vertices that no triangle has any more, or that hang on none any more, since the list was last cleared; some may be used again.
     std::vector<VertexId>& left() { return left_; }
 
     std::uint32_t take_id() { return next_id_++; }

@@ -1,5 +1,5 @@
 // What a picture begins with: whether this browser can draw, the light and the colours of the ground.
-import { Color, DirectionalLight, Group, HemisphereLight } from 'three';
+import { Color, DirectionalLight, Group, HemisphereLight, WebGLRenderer } from 'three';
 import type { Layer, View } from './base/view.ts';
 
 export interface Graphics {
@@ -14,6 +14,10 @@ export function probeGraphics(): Graphics | null {
     const renderer: unknown = gl.getParameter(extension === null ? gl.RENDERER : extension.UNMASKED_RENDERER_WEBGL);
     gl.getExtension('WEBGL_lose_context')?.loseContext();
     return { software: /swiftshader|llvmpipe|software/i.test(String(renderer)) };
+}
+
+export function createRenderer(canvas: HTMLCanvasElement, graphics: Graphics): WebGLRenderer {
+    return new WebGLRenderer({ canvas, antialias: !graphics.software, powerPreference: 'high-performance' });
 }
 
 /** The light on bodies: from over the viewer's shoulder, like the light of the surfaces, and a little from the sky. */

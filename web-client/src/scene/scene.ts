@@ -1,6 +1,6 @@
 // The picture: surfaces, rake, domain and body, drawn on demand. Knows nothing of the server; session/ feeds
 // it and listens to it.
-import { type Color, Scene, WebGLRenderer } from 'three';
+import { type Color, Scene, type WebGLRenderer } from 'three';
 import type { TimedMeshChange } from '../mesh/meshChange.ts';
 import type { Vec3 } from '../protocol/messages.ts';
 import { CameraControls } from './camera/cameraControls.ts';
@@ -8,7 +8,7 @@ import { type Bounds, boundsRound } from './domain/domainAxes.ts';
 import { DomainOutline } from './domain/domainOutline.ts';
 import { ScaleBar } from './domain/scaleBar.ts';
 import { FrameLoop, Movement, MovingResolution, restMs, Stillness, whenDrawn } from './frameLoop.ts';
-import { type Graphics, Lights, pictureColours } from './graphics.ts';
+import { createRenderer, type Graphics, Lights, pictureColours } from './graphics.ts';
 import { PointerTools } from './base/pointerTools.ts';
 import { RakeAim } from './rake/rakeAim.ts';
 import { RakeInteraction } from './rake/rakeInteraction.ts';
@@ -99,7 +99,7 @@ export class FlowScene {
         this.software = options.graphics.software;
         this.fullRatio = this.software ? 1 : Math.min(2, devicePixelRatio);
         this.movingResolution = new MovingResolution(this.fullRatio, this.software ? firstSoftwareRatio : this.fullRatio);
-        this.renderer = createRenderer(options);
+        this.renderer = createRenderer(options.canvas, options.graphics);
         this.places = samplePlaces(this.software ? 4 : 8);
         this.sampled = new SampledPicture(this.renderer);
         this.renderer.setPixelRatio(this.fullRatio);
@@ -459,7 +459,7 @@ export class FlowScene {
         this.movement.drawn(time);
         if (movingMs !== null) this.movingResolution.drawn(movingMs);
         const atLeastMs = Math.min(longestRestMs, picturesOfRest * (movingMs ?? 0));
-        this.rest.drawn(this.samples === 0, atLeastMs);
+        this.rest.drawn(this.pixelRatio < this.fullRatio || (this.samples === 0 && !this.held), atLeastMs);
         this.smoothness.drawn(this.samples > 0 && !this.awaitsExact);
     }
 
@@ -475,6 +475,7 @@ export class FlowScene {
         this.smoothness.hold(held);
         this.stillness.hold(held);
         if (held) this.exactNext = false;
+        else this.loop.request();
     }
 
     private setPixelRatio(ratio: number): void {
@@ -492,12 +493,4 @@ export class FlowScene {
         this.sized = true;
         this.loop.request();
     }
-}
-
-function createRenderer({ canvas, graphics }: FlowSceneOptions): WebGLRenderer {
-    return new WebGLRenderer({
-        canvas,
-        antialias: !graphics.software,
-        powerPreference: 'high-performance',
-    });
 }

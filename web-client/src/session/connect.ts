@@ -12,6 +12,7 @@ export interface Connected {
 /** Returns at once; the worker connects, and stays connected until it is stopped. */
 export function connect(url: UrlState): Connected {
     const server = new OwnServer(baseUrl(), url.session);
-    const worker = new WorkerClient(server.base, { token: url.token, login: server.login });
+    const shown = { token: url.token, login: server.login };
+    const worker = new WorkerClient(server.base, shown, (login) => server.loggedIn(login));
     return { url, server, worker };
 }

@@ -143,7 +143,6 @@ describe('what the worker sends', () => {
             feed: { receive: to('feed'), troubled: async (...what) => void heard.push(['feed', what]) },
             events: { dispatch: to('news'), unreadable: to('unreadable') },
             controller: { connectionChanged: to('controller') },
-            server: { loggedIn: to('server') },
             loginEnded: to('ended'),
         };
         return { state, heard, hear: (event: WorkerEvent) => dispatchWorkerEvent(event, receivers) };
@@ -194,13 +193,9 @@ describe('what the worker sends', () => {
         expect(state.roundTripMs.value).toBe(12);
     });
 
-    it('goes to who keeps logins', () => {
+    it('goes to who keeps logins where one has ended', () => {
         const { heard, hear } = bench();
-        hear({ type: 'loggedIn', login: 'a', session: null });
         hear({ type: 'loginEnded', login: 'a' });
-        expect(heard).toEqual([
-            ['server', { login: 'a', session: null }],
-            ['ended', 'a'],
-        ]);
+        expect(heard).toEqual([['ended', 'a']]);
     });
 });

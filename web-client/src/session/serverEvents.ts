@@ -1,6 +1,5 @@
 // Hands on what comes by itself: a surface straight to its feed, changes of the connection to who follows them, and the server's
 // notifications (records, surfaces, people, datasets, notices) to whom they concern.
-import type { OwnServer } from '../connection/ownServer.ts';
 import { type Notification, type ReportedError, type SurfaceDone, unreadableWords } from '../protocol/messages.ts';
 import type { AppState } from '../state/appState.ts';
 import type { WorkerEvent } from '../worker/workerClient.ts';
@@ -128,14 +127,10 @@ export interface Receivers {
     feed: Pick<SurfaceFeed, 'receive' | 'troubled'>;
     events: Pick<ServerEvents, 'dispatch' | 'unreadable'>;
     controller: Pick<SessionController, 'connectionChanged'>;
-    server: Pick<OwnServer, 'loggedIn'>;
     loginEnded: (login: string) => void;
 }
 
-export function dispatchWorkerEvent(
-    event: WorkerEvent,
-    { state, feed, events, controller, server, loginEnded }: Receivers,
-): void {
+export function dispatchWorkerEvent(event: WorkerEvent, { state, feed, events, controller, loginEnded }: Receivers): void {
     switch (event.type) {
         case 'surface':
             feed.receive(event);
@@ -151,9 +146,6 @@ export function dispatchWorkerEvent(
             break;
         case 'roundTrip':
             state.roundTripMs.value = event.ms;
-            break;
-        case 'loggedIn':
-            server.loggedIn({ login: event.login, session: event.session });
             break;
         case 'loginEnded':
             loginEnded(event.login);

@@ -33,12 +33,14 @@ export class PageBench {
     readonly families: Families;
     readonly tries: Calls;
     readonly time = new FakeClock();
+    /** A handle is held. */
+    dragging = false;
     readonly chooseKind = (kind: SurfaceKind): void => chooseKind(this, kind);
 
     constructor() {
         const { state, worker } = this;
         const requestFrame = (): void => queueMicrotask(() => this.frame());
-        this.edits = new Edits({ state, worker, requestFrame, latency: new LatencyLog(), dragging: () => false });
+        this.edits = new Edits({ state, worker, requestFrame, latency: new LatencyLog(), dragging: () => this.dragging });
         this.clock = new ClockControl({ state, worker, requestFrame });
         this.playback = new Playback({ state, edits: this.edits, clock: this.clock, time: this.time });
         const { edits, clock, playback } = this;

@@ -107,20 +107,24 @@ class FakeWorker {
 describe('WorkerClient', () => {
     afterEach(() => vi.unstubAllGlobals());
 
-    it('connects before the page is there, which hears of all that has happened, once and in order', () => {
+    it('connects before the page is there, which hears of what has happened, and of the connection only how it is', () => {
         vi.stubGlobal('Worker', FakeWorker);
-        const client = new WorkerClient('http://localhost/', { token: 'secret', login: null });
+        const logins: unknown[] = [];
+        const client = new WorkerClient('http://localhost/', { token: 'secret', login: null }, (login) => logins.push(login));
         const worker = FakeWorker.last;
         expect(worker.posted).toEqual([{ type: 'start', baseUrl: 'http://localhost/', token: 'secret', login: null }]);
-        const events = ['connecting', 'open', 'waiting'].map((state) => ({ type: 'connection', state }));
-        for (const data of events.slice(0, 2)) worker.onmessage({ data });
+        worker.onmessage({ data: { type: 'loggedIn', login: 'a.b', session: null } });
+        expect(logins).toEqual([{ login: 'a.b', session: null }]);
+        const [connecting, open, waiting] = ['connecting', 'open', 'waiting'].map((state) => ({ type: 'connection', state }));
+        const notification = { type: 'notification', notification: { method: 'server.notice' } };
+        for (const data of [connecting, notification, open]) worker.onmessage({ data });
         const heard: unknown[] = [];
         client.listen(
             () => false,
             (event) => heard.push(event),
         );
-        worker.onmessage({ data: events[2] });
-        expect(heard).toEqual(events);
+        worker.onmessage({ data: waiting });
+        expect(heard).toEqual([notification, open, waiting]);
         client.stop();
     });
 });

@@ -2,6 +2,7 @@
 // two to answer, so that bytes that make a decoder run for ever cost one worker, not the page. On a page that is short of processor time it
 // has ten: there it is late as everything is.
 import type { Credentials } from '../connection/authorise.ts';
+import type { StoredLogin } from '../connection/ownServer.ts';
 import { type Clock, systemClock, type Timer } from '../connection/clock.ts';
 import type { BodyMesh, BodyValues } from '../mesh/meshChange.ts';
 import type { Lattice } from '../protocol/lattice.ts';
@@ -20,7 +21,7 @@ export class CallError extends Error {
     }
 }
 
-export type WorkerEvent = Exclude<MessageOf<FromWorker>, { type: 'reply' } | { type: 'failure' } | { type: 'here' }>;
+export type WorkerEvent = Exclude<MessageOf<FromWorker>, { type: 'reply' | 'failure' | 'here' | 'loggedIn' }>;
 
 const firstPauseMs = 500;
 
@@ -38,10 +39,13 @@ export class WorkerClient {
     private origin: { baseUrl: string; token: string | null; login: string | null } | null;
     private isSlow = (): boolean => true;
     private early: WorkerEvent[] = [];
-    private onEvent = (event: WorkerEvent): void => void this.early.push(event);
+    private onEvent = (event: WorkerEvent): void => this.keep(event);
 
-    /** Connects, and stays connected. */
-    constructor(baseUrl: string, shown: Credentials) {
+    private readonly onLogin: (login: StoredLogin) => void;
+
+    /** Connects, and stays connected. @param onLogin told at once, so that a page which is reloaded before it has begun is let in again */
+    constructor(baseUrl: string, shown: Credentials, onLogin: (login: StoredLogin) => void) {
+        this.onLogin = onLogin;
         this.origin = { baseUrl, ...shown };
         this.worker = this.makeWorker();
         this.connect();
@@ -64,6 +68,12 @@ export class WorkerClient {
         for (const event of this.early.splice(0)) onEvent(event);
     }
 
+    /** Of the states of the connection the newest: an older one would be acted on as if it came now. */
+    private keep(event: WorkerEvent): void {
+        if (event.type === 'connection') this.early = this.early.filter(({ type }) => type !== 'connection');
+        this.early.push(event);
+    }
+
     private connect(): void {
         if (this.origin !== null) this.post({ type: 'start', ...this.origin });
     }
@@ -83,9 +93,13 @@ export class WorkerClient {
         return worker;
     }
 
-    private heard(event: WorkerEvent): void {
-        if (event.type === 'loggedIn' && this.origin !== null) this.origin.login = event.login;
-        this.onEvent(event);
+    private heard(event: Exclude<MessageOf<FromWorker>, { type: 'reply' | 'failure' | 'here' }>): void {
+        if (event.type !== 'loggedIn') {
+            this.onEvent(event);
+            return;
+        }
+        if (this.origin !== null) this.origin.login = event.login;
+        this.onLogin({ login: event.login, session: event.session });
     }
 
     /** For good: nothing is heard any more, and nothing connects again. */

@@ -20,7 +20,7 @@ export class LateWaits {
     private readonly told: (late: boolean) => void;
     private readonly late = new Set<AbortController>();
 
-    /** @param told whether one is late, whenever that may be another */
+    /** @param told whether one is late, whenever that has changed */
     constructor(told: (late: boolean) => void) {
         this.told = told;
     }
@@ -33,6 +33,7 @@ export class LateWaits {
             const givenUp = new Promise<never>((_, reject) => {
                 signal.addEventListener('abort', () => reject(new DOMException('Given up', 'AbortError')));
             });
+            if (ended?.aborted === true) wait.abort();
             ended?.addEventListener('abort', () => wait.abort(), { once: true });
             const isOver = (): boolean => !signal.aborted || ended?.aborted === true;
             try {
@@ -50,9 +51,10 @@ export class LateWaits {
     }
 
     private tell(wait: AbortController, isLate: boolean): void {
+        const before = this.late.size > 0;
         if (isLate) this.late.add(wait);
         else this.late.delete(wait);
-        this.told(this.late.size > 0);
+        if (before !== this.late.size > 0) this.told(isLate);
     }
 }
 

@@ -125,7 +125,7 @@ it('shows the right half at the same time, so much later, or at a time of its ow
 });
 
 it('moves things together unless that is unticked, and chooses in both what is there', () => {
-    left.edits.onMove?.({ noun: 'rake', id: 'r1' }, { seeds: 7 });
+    left.edits.onMove?.({ noun: 'rake', id: 'r1' }, { seeds: 7 }, 'g1');
     expect(right.moves).toEqual([['r1', { seeds: 7 }]]);
     moveTogether.value = false;
     expect(left.edits.onMove).toBeNull();
@@ -140,7 +140,7 @@ it('moves things together unless that is unticked, and chooses in both what is t
 
 it('moves no rake of a session that one may only look at', () => {
     left.state.role.value = 'viewer';
-    right.edits.onMove?.({ noun: 'rake', id: 'r1' }, { seeds: 7 });
+    right.edits.onMove?.({ noun: 'rake', id: 'r1' }, { seeds: 7 }, 'g1');
     expect(left.moves).toEqual([]);
 });
 

@@ -102,3 +102,25 @@ it('what it is coloured by is of each half, and so is a slice that the other doe
     await done();
     expect([left.height, right.state.slices.value.size, right.state.problems.all.value.size]).toEqual([8, 0, 0]);
 });
+
+it('a rake that is dragged is one act in both halves, although its last move comes after the button has gone up', async () => {
+    for (const side of [left, right]) side.answers['history.undo'] = () => ({ undone: 'act', skipped: [] });
+    const move = (z: number, dragging: boolean): void =>
+        left.edits.moveRake({ shape: { kind: 'line', points: [[0, 0, 0], [0, 0, z]] }, dragging, movedAt: performance.now() }); // prettier-ignore
+    left.edits.gestures.press();
+    left.dragging = true;
+    for (const z of [1, 2, 3]) {
+        move(z, true);
+        await settled();
+    }
+    left.edits.gestures.release();
+    left.dragging = false;
+    move(4, false);
+    await done();
+    const steps = (): number[] => [left, right].map(({ edits }) => edits.history.undoable.value);
+    expect(right.rakes[0]?.points[1]).toEqual([0, 0, 4]);
+    expect(steps()).toEqual([1, 1]);
+    await right.edits.undo();
+    await done();
+    expect(steps()).toEqual([0, 0]);
+});

@@ -34,8 +34,15 @@ export interface Moved {
     id: string;
 }
 
+/** An act of another page's user, which is followed. */
+export interface FollowedAct {
+    /** Its name here. */
+    gesture: string;
+    along: TurnAlong;
+}
+
 /** Moves a record as that of another page is moved; does nothing where it is not there. */
-type Follower = (id: string, change: object, along: TurnAlong) => void;
+type Follower = (id: string, change: object, act: FollowedAct) => void;
 
 export class Edits {
     readonly gestures = new Gestures(() => this.state.problems.passed('edit'));
@@ -45,8 +52,8 @@ export class Edits {
     private readonly rakes: RakeEdits;
     private readonly surfaces: SurfaceEdits;
     private readonly selection: Selection;
-    /** Told what this user moves and how, as of the other half of a comparison; returns what undo and redo turn with it. */
-    onMove: ((moved: Moved, change: object) => TurnAlong | null) | null = null;
+    /** Told what this user moves, how and as part of which act, as of the other half of a comparison; returns what undo and redo turn with it. */
+    onMove: ((moved: Moved, change: object, gesture: string) => TurnAlong | null) | null = null;
     private readonly followers = new Map<Moved['noun'], Follower>();
     /** Made by this user, and chosen once its record is here. */
     private awaited: { rake: string } | { surface: string } | null = null;
@@ -65,7 +72,7 @@ export class Edits {
         };
         this.rakes = new RakeEdits(shared);
         this.surfaces = new SurfaceEdits(shared);
-        this.addFollower('rake', (rake, change, along) => this.rakes.change(rake, change, along));
+        this.addFollower('rake', (rake, change, act) => this.rakes.follow(rake, change, act));
         this.actions = new RecordActions(state, worker, this, (made) => {
             this.awaited = made;
             this.recordsChanged();
@@ -99,7 +106,7 @@ export class Edits {
 
     moveRake(move: RakeMove): void {
         const moved: Moved = { noun: 'rake', id: this.state.activeRake.value ?? '' };
-        this.rakes.move(move, this.onMove?.(moved, { shape: move.shape }) ?? null);
+        this.rakes.move(move, (gesture) => this.onMove?.(moved, { shape: move.shape }, gesture) ?? null);
     }
 
     /** Returns what others are told of a move while it lasts. */
@@ -115,7 +122,7 @@ export class Edits {
     }
 
     changeRake(rake: string, change: RakeChange): void {
-        this.rakes.change(rake, change, this.onMove?.({ noun: 'rake', id: rake }, change) ?? null);
+        this.rakes.change(rake, change, (gesture) => this.onMove?.({ noun: 'rake', id: rake }, change, gesture) ?? null);
     }
 
     /** Of what is loaded later, as slices. */
@@ -124,13 +131,14 @@ export class Edits {
     }
 
     /** Does as is told of another page: nothing is told of it. */
-    follow({ noun, id }: Moved, change: object, along: TurnAlong): void {
-        this.followers.get(noun)?.(id, change, along);
+    follow({ noun, id }: Moved, change: object, act: FollowedAct): void {
+        this.followers.get(noun)?.(id, change, act);
     }
 
     /** Undoes or redoes the newest step, if that is the one which this goes with. */
     async turnToo(along: TurnAlong, way: 'undo' | 'redo'): Promise<void> {
-        if (this.history.isNext(along, way)) await this[way]();
+        await this.allSent();
+        await this.history.turn(way, along);
     }
 
     /**
@@ -156,13 +164,13 @@ export class Edits {
     async undo(): Promise<void> {
         this.state.problems.passed('edit');
         await this.allSent();
-        await this.history.undo();
+        await this.history.turn('undo');
     }
 
     async redo(): Promise<void> {
         this.state.problems.passed('edit');
         await this.allSent();
-        await this.history.redo();
+        await this.history.turn('redo');
     }
 
     /** Takes over the server's records wherever no edit of ours is ahead of them. */

@@ -32,6 +32,9 @@ interface RakeEdit {
     along: TurnAlong | null;
 }
 
+/** Returns what undo and redo turn with an act. */
+type AlongOf = (gesture: string) => TurnAlong | null;
+
 export type RakeChange = Partial<Pick<RakeEdit, 'shape' | 'seeds' | 'name' | 'colour'>>;
 
 interface OneRake {
@@ -78,7 +81,7 @@ export class RakeEdits {
     }
 
     /** The active rake, moved in the scene. */
-    move({ shape, dragging, movedAt }: RakeMove, along: TurnAlong | null = null): void {
+    move({ shape, dragging, movedAt }: RakeMove, alongOf: AlongOf = () => null): void {
         const { state } = this.options;
         const rake = state.activeRake.value;
         if (rake === null) return;
@@ -90,19 +93,22 @@ export class RakeEdits {
             this.numbersShownAt = movedAt;
             state.rakeShape.value = fitted;
         }
-        this.submit(rake, { shape: fitted }, { dragging, editedAt: movedAt, gesture, along });
+        this.submit(rake, { shape: fitted }, { dragging, editedAt: movedAt, gesture, along: alongOf(gesture) });
     }
 
-    /** @param along what undo and redo turn with it */
-    change(rake: string, change: RakeChange, along: TurnAlong | null = null): void {
-        const editedAt = performance.now();
+    change(rake: string, change: RakeChange, alongOf: AlongOf = () => null): void {
+        const gesture = this.options.gestures.pressed(`rake ${rake} ${Object.keys(change).join()}`, performance.now());
+        this.follow(rake, change, { gesture, along: alongOf(gesture) });
+    }
+
+    /** Changes it as part of an act that has a name. */
+    follow(rake: string, change: RakeChange, act: Pick<RakeEdit, 'along' | 'gesture'>): void {
         const fitted = change.shape === undefined ? change : { ...change, shape: this.inDomain(rake, change.shape) };
         if (rake === this.options.state.activeRake.value) {
             if (fitted.shape !== undefined) this.options.state.rakeShape.value = fitted.shape;
             if (fitted.seeds !== undefined) this.seeds.value = fitted.seeds;
         }
-        const gesture = this.options.gestures.pressed(`rake ${rake} ${Object.keys(change).join()}`, editedAt);
-        this.submit(rake, fitted, { dragging: false, editedAt, gesture, along });
+        this.submit(rake, fitted, { dragging: false, editedAt: performance.now(), ...act });
     }
 
     /** Takes over the active rake's record unless an edit of ours is ahead of it. */

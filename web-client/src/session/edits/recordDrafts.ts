@@ -12,7 +12,7 @@ export interface RecordDraftsOptions<R extends { dataset: string }, P extends ob
     /** As methods call them. */
     noun: 'slice' | 'lines';
     records: ReadonlySignal<ReadonlyMap<string, R>>;
-    /** What says how it is coloured: of each half of a comparison its own. */
+    /** What says how it is coloured: each half of a comparison has its own. */
     own: readonly (keyof P)[];
     /** Returns what can be edited: not what the server alone writes. */
     placeOf: (record: R) => P;
@@ -28,12 +28,12 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
     readonly places = signal<ReadonlyMap<string, P>>(new Map());
     private readonly options: RecordDraftsOptions<R, P>;
     private readonly drafts = new Map<string, P>();
-    private readonly acts = new Map<string, { name: string; along: TurnAlong | null }>();
+    private readonly acts = new Map<string, { gesture: string; along: TurnAlong | null }>();
     private readonly sending = new Set<string>();
 
     constructor(options: RecordDraftsOptions<R, P>) {
         this.options = options;
-        options.edits.addFollower(options.noun, (id, change, along) => this.draw(id, change, along));
+        options.edits.addFollower(options.noun, (id, change, act) => this.draw(id, change, act));
         effect(() => {
             const records = options.records.value;
             void options.state.pictured.value;
@@ -70,15 +70,17 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
     change(id: string, change: Partial<P>): void {
         const { edits, noun, own } = this.options;
         const isMoved = Object.keys(change).some((key) => !own.includes(key as keyof P));
-        this.draw(id, change, isMoved ? (edits.onMove?.({ noun, id }, without(change, own)) ?? null) : null);
+        // Another field is another act than another place, also where one follows the other fast.
+        const gesture = edits.gestures.slid(`${noun} ${id} ${Object.keys(change).join(' ')}`, performance.now());
+        const along = isMoved ? edits.onMove?.({ noun, id }, without(change, own), gesture) : null;
+        this.draw(id, change, { gesture, along: along ?? null });
     }
 
-    private draw(id: string, change: Partial<P>, along: TurnAlong | null): void {
+    private draw(id: string, change: Partial<P>, act: { gesture: string; along: TurnAlong | null }): void {
         const place = this.places.value.get(id);
         if (place === undefined) return;
         this.drafts.set(id, { ...place, ...change });
-        // Another field is another act than another place, also where one follows the other fast.
-        this.acts.set(id, { name: `${this.options.noun} ${id} ${Object.keys(change).join(' ')}`, along });
+        this.acts.set(id, act);
         this.publish();
         if (!this.sending.has(id)) void this.send(id);
     }
@@ -104,8 +106,7 @@ export class RecordDrafts<R extends { dataset: string }, P extends object> {
                 const dataset = records.value.get(id)?.dataset;
                 // Someone has deleted it.
                 if (dataset === undefined) break;
-                const { name, along } = this.acts.get(id)!;
-                const gesture = edits.gestures.slid(name, performance.now());
+                const { gesture, along } = this.acts.get(id)!;
                 await set(id, dataset, sent, gesture);
                 edits.history.noted(gesture, along);
             }

@@ -44,35 +44,24 @@ export class UndoHistory {
         ++this.taken.value;
     }
 
-    /** Whether that goes with the step which is turned next. */
-    isNext(along: TurnAlong, way: Way): boolean {
-        return (way === 'undo' ? this.done : this.undone).value.at(-1) === along;
-    }
-
     /** Another session, or another life of the server: what was counted here is not what it would turn. */
     clear(): void {
         this.keep([], []);
         this.words.value = '';
     }
 
-    undo(): Promise<void> {
-        return this.turn('undo');
-    }
-
-    redo(): Promise<void> {
-        return this.turn('redo');
-    }
-
-    private turn(way: Way): Promise<void> {
+    /** Turns the newest step. @param only where that is the one which this goes with */
+    turn(way: Way, only?: TurnAlong): Promise<void> {
         // One after the other: two at once would count wrongly.
-        const turned = this.last.then(() => this.turnOne(way));
+        const turned = this.last.then(() => this.turnOne(way, only));
         this.last = turned;
         return turned;
     }
 
-    private async turnOne(way: Way): Promise<void> {
+    private async turnOne(way: Way, only?: TurnAlong): Promise<void> {
         const [done, undone] = [this.done.value, this.undone.value];
         const along = (way === 'undo' ? done : undone).at(-1);
+        if (only !== undefined && along !== only) return;
         if (along === undefined) {
             this.nothing(way);
             return;

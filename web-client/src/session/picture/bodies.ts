@@ -10,7 +10,6 @@ export class Bodies {
     private readonly state: Pick<AppState, 'datasets' | 'notices'>;
     private readonly worker: Pick<WorkerClient, 'obstacle'>;
     private readonly known = new Map<string, { key: string; mesh: Promise<BodyMesh | null> }>();
-
     private readonly waits: LateWaits;
 
     constructor(state: Pick<AppState, 'datasets' | 'notices'>, worker: Pick<WorkerClient, 'obstacle'>) {

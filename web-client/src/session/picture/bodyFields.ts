@@ -89,6 +89,8 @@ export class BodyFields {
     private readonly extent = signal<(BodyExtent & { dataset: string; field: string }) | null>(null);
     private readonly waits: LateWaits;
     private asking = false;
+    /** Ends what is asked for of data that are not shown any more. */
+    private ended = new AbortController();
 
     constructor(options: BodyFieldsOptions) {
         this.options = options;
@@ -97,6 +99,10 @@ export class BodyFields {
         effect(() => {
             const [first = 0] = state.times.value;
             scene.body.setTime(options.moves() ? this.time() - first : null);
+        });
+        effect(() => {
+            void this.isOf.value;
+            return () => this.ended.abort();
         });
         effect(() => {
             const wish = this.wish.value;
@@ -121,6 +127,9 @@ export class BodyFields {
         if (attribute === 'speed') return dataset?.velocity ?? '';
         return attribute !== '' && canCome(dataset, attribute) ? attribute : '';
     });
+
+    /** Whose values are wanted; none: empty. */
+    private readonly isOf = computed(() => (this.wish.value === null ? '' : this.options.state.dataset.value!.dataset));
 
     private readonly wish = computed((): Wish | null => {
         const { state, view } = this.options;
@@ -192,12 +201,13 @@ export class BodyFields {
         for (let wish = this.next(); wish !== null; wish = this.next()) {
             const { dataset, lattice } = state.dataset.value!;
             let failure: unknown = null;
+            this.ended = new AbortController();
             // Asked for again, what is wanted by then.
             const ask = (): Promise<BodyValues | null> => {
                 wish = this.next() ?? wish!;
                 return worker.bodyValues(dataset, lattice, wish.time, wish.field, wish.allPatches);
             };
-            const values = await this.waits.until(ask).catch((error: unknown) => {
+            const values = await this.waits.until(ask, this.ended.signal).catch((error: unknown) => {
                 failure = error ?? new Error('The values along the body could not be loaded.');
                 return null;
             });

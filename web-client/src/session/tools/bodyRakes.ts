@@ -111,6 +111,11 @@ export class BodyRakes implements PointerTool {
             return true;
         }
         const eye = scene.view().outside;
+        const before = this.clicked.at(-1);
+        if ((this.alongEdge.value || before === undefined) && !liesOn(body, hit.point, eye)) {
+            say('There is no body of this dataset here.');
+            return true;
+        }
         if (this.alongEdge.value) {
             const within = edgeWithinPx * scene.view().worldPerPx(hit.point);
             const edge = sharpEdgeNear(body, hit.point, eye, within, isStepped(this.options.state.dataset.value));
@@ -119,12 +124,7 @@ export class BodyRakes implements PointerTool {
             this.show();
             return true;
         }
-        const before = this.clicked.at(-1);
         if (before === undefined) {
-            if (!liesOn(body, hit.point, eye)) {
-                say('There is no body of this dataset here.');
-                return true;
-            }
             this.clicked = [hit.point];
             this.towards = minus(eye, hit.point);
             say('Click the next point.');

@@ -28,7 +28,7 @@ interface Step {
 }
 
 /**
- * Says in words why there is none. @param within as far from the place it may be. @param stepped the body is made of the boxes of a grid: the
+ * Says in words why there is none. @param within how far from the place it may be. @param stepped the body is made of the boxes of a grid: the
  * steps between them are no sharp edges
  */
 export function sharpEdgeNear(body: Triangles, near: Vec3, eye: Vec3, within: number, stepped: boolean): WayPoint[] | string {

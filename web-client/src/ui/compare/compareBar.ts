@@ -77,7 +77,7 @@ export class CompareBar extends ModelElement<CompareBarModel> {
                 ${this.which('right')}
                 <p class="shows" id="right-shows">${shownWords(right)}</p>
                 ${this.data()} ${this.time(right)}
-                ${checkRow('Move together', compare.moveTogether.value, (on) => (compare.moveTogether.value = on), { id: 'move-together', title: 'Rakes, slices and lines that both halves have' })}
+                ${checkRow('Move together', compare.moveTogether.value, (on) => (compare.moveTogether.value = on), { id: 'move-together', title: 'Rakes, slices and streamlines that both halves have' })}
                 <button type="button" class="end" id="end-compare" @click=${() => void compare.end()}>End</button>
             </div>
         `;
