@@ -17,10 +17,11 @@ import io
 import itertools
 import math
 import os
+import secrets
 import warnings
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
 from .client import Client
 from .errors import InvalidParameters, WakesurfError
@@ -170,7 +171,7 @@ def _work(folder: Path, files: Sequence[str], times: Optional[Times], through: O
              "threads": threads, "options": list(options)}
     values = {} if url is None else {each["dataset"]: str(each.get("values", "")) for each in Client(url).datasets()}
     return Work(os.path.abspath(folder), url, values, given, wanted, query_of(times, through, "end" if times is None else None, names),
-                plain(dict(picture or {}), "picture"), timeout)
+                plain(dict(picture or {}), "picture"), timeout, secrets.token_hex(8))
 
 
 class _Named(NamedTuple):
@@ -185,7 +186,8 @@ class _Tasks:
     def __init__(self, work: Work, rakes: Any, cases: Any, settings: Any) -> None:
         self._folder = work.folder
         one_case = isinstance(cases, (str, os.PathLike))
-        self._cases = [each._replace(value=_case(work, each.value)) for each in _named("case", [cases] if one_case else cases, _stem)]
+        stem = functools.partial(_stem, work)
+        self._cases = [each._replace(value=_case(work, each.value)) for each in _named("case", [cases] if one_case else cases, stem)]
         one_setting = isinstance(settings, Mapping) and not all(isinstance(each, Mapping) for each in settings.values())
         self._settings = [each._replace(value=_setting(each.name, each.value))
                           for each in _named("setting", [settings] if one_setting else settings, _kind)]
@@ -197,7 +199,8 @@ class _Tasks:
         """Removes what workers that were killed had begun to write."""
         for case, setting in itertools.product(self._cases, self._settings):
             for part in glob.glob(os.path.join(glob.escape(os.path.join(self._folder, case.safe, setting.safe)), "*.part")):
-                os.remove(part)
+                with contextlib.suppress(OSError):
+                    os.remove(part)
 
     def __len__(self) -> int:
         return len(self._cases) * len(self._settings) * len(self._rakes)
@@ -205,7 +208,7 @@ class _Tasks:
     def __iter__(self) -> Iterator[Task]:
         for case, setting, rake in itertools.product(self._cases, self._settings, self._rakes):
             yield Task({"case": case.name, "setting": setting.name, "rake": rake.name}, os.path.join(case.safe, setting.safe, rake.safe),
-                       case.value, rake.value, setting.value)
+                       case.value[0], rake.value, setting.value, case.value[1])
 
 
 def _named(what: str, given: Any, name_of: Callable[[int, Any], str]) -> List[_Named]:
@@ -216,28 +219,40 @@ def _named(what: str, given: Any, name_of: Callable[[int, Any], str]) -> List[_N
             raise _refused(f"two {what}s have the same name", "names are texts: 1 and '1' are the same")
     else:
         pairs = []
-        seen: Dict[str, int] = {}
+        taken: Set[str] = set()
         for i, value in enumerate(given):
-            name = name_of(i, value)
-            seen[name] = seen.get(name, 0) + 1
-            pairs.append((name if seen[name] == 1 else f"{name}-{seen[name]}", value))
+            plain_name = name_of(i, value)
+            name = next(each for each in itertools.chain([plain_name], (f"{plain_name}-{n}" for n in itertools.count(2))) if each not in taken)
+            taken.add(name)
+            pairs.append((name, value))
     if not pairs:
         raise _refused(f"there is no {what}", "give at least one")
     return [_Named(name, safe, value) for (name, value), safe in zip(pairs, safe_names([name for name, _ in pairs], [_TABLE]))]
 
 
-def _stem(_: int, case: Any) -> str:
-    name: str = os.path.basename(os.path.normpath(os.fspath(case)))
-    return name[len("flow:"):] if name.startswith("flow:") else os.path.splitext(name)[0]
+def _is_path(work: Work, case: str) -> bool:
+    return work.url is None and not case.startswith(("flow:", "http://", "https://"))
+
+
+def _stem(work: Work, _: int, case: Any) -> str:
+    text: str = os.fspath(case)
+    name = os.path.basename(os.path.normpath(text))
+    if name.startswith("flow:"):
+        return name[len("flow:"):]
+    return os.path.splitext(name)[0] if _is_path(work, text) and not os.path.isdir(text) else name
 
 
 def _kind(_: int, setting: Any) -> str:
     return str(setting.get("kind", "")) if isinstance(setting, Mapping) else ""
 
 
-def _case(work: Work, case: Any) -> str:
+def _case(work: Work, case: Any) -> Tuple[str, str]:
+    """Returns the case as all workers find it, and what tells its file from others at the same path: also an older one that replaces it."""
     text: str = os.fspath(case)
-    return text if work.url is not None or text.startswith(("flow:", "http://", "https://")) else os.path.abspath(text)
+    if not _is_path(work, text):
+        return text, ""
+    found = os.stat(text) if os.path.isfile(text) else None
+    return os.path.abspath(text), f"{found.st_mtime_ns} {found.st_size}" if found else ""
 
 
 def _setting(name: str, given: Any) -> Json:
@@ -303,6 +318,6 @@ def _csv(found: Study) -> Iterator[bytes]:
     writer.writerow([f"{name} [{found.units[name]}]" if name in found.units else name for name in found.rows[0]])
     for row in found.rows:
         writer.writerow(["" if isinstance(value, float) and math.isnan(value) else value for value in row.values()])
-        yield text.getvalue().encode()
+        yield text.getvalue().encode(errors="backslashreplace")
         text.seek(0)
         text.truncate()
