@@ -1,7 +1,7 @@
 """The server that a process keeps for its tasks: started by the first, shared by all its threads, ended when it has long had nothing to do.
 
 Each is held by a thread of its own, which starts it and lives as long: a tied server (`serve`) ends with that thread, so also with a process that
-a signal kills, and not with the thread of an executor that happened to need it first.
+a signal kills (on Linux only), and not with the thread of an executor that happened to need it first.
 """
 from __future__ import annotations
 
@@ -123,7 +123,7 @@ def _use(key: str, case: str, options: Mapping[str, Any], study: str) -> _Kept:
     with _changed:
         while True:
             if (key, study) in _failed:
-                raise _failed[key, study]
+                raise _failed[key, study].with_traceback(None)  # or it grows by each task that is told
             kept = _kept.get(key)
             if kept is not None and kept.usable:
                 break

@@ -92,26 +92,32 @@ def study(rakes: Union[Mapping[str, AnyRake], Sequence[AnyRake]], cases: Union[M
           options: Sequence[str] = (), timeout: Optional[float] = None, tries: int = 3, ahead: Optional[int] = None,
           progress: Optional[ProgressTarget] = None) -> Study:
     """Makes a surface on each rake in each case with each setting, and returns their numbers. Each is a task of `executor`. What is in `folder`
-    already, of the very same task, is not made again: a study that was interrupted goes on where it was. It is the same to the byte, whoever
-    does it and in whatever order.
+    already, of the very same task, is not made again: a study that was interrupted goes on where it was. Results are the same to the byte, whoever
+    makes them and in whatever order.
 
     `rakes`: by name, or a list: points, which are a line or a polyline, or what `Session.rake` takes, such as {"circle": ..., "seeds": 32}, or
-        None: the one that the server suggests.
-    `cases`: by name, a list, or one: files, folders, stores and flows as `serve` takes them; with `url`, ids of datasets.
-    `settings`: by name, a list, or one: what `Session.surface` takes. Only `kind` must be given; the server suggests the rest.
+        None: the one that the server suggests. A dictionary whose keys are all among line, polyline, circle, points and seeds is one rake.
+    `cases`: by name, a list, or one: files, folders, stores and flows as `serve` takes them; with `url`, ids of datasets. Those of a list are
+        named by their files or folders.
+    `settings`: by name, a list, or one: what `Session.surface` takes. Only `kind` must be given; the server suggests the rest. Those of a list
+        are named by their kinds.
     `folder`: where results go, CASE/SETTING/RAKE.csv and more; all workers must see it at the same path.
     `executor`: of concurrent.futures or like one: threads, processes, Dask's `Client.get_executor()`, mpi4py's MPIPoolExecutor; or a function
-        that makes one, which is called again where workers die and take it with them. Left out: threads, as many as there are cores.
+        that makes one, which is called again where workers die and take it with them. Left out: threads, as many as there are cores; Ctrl-C
+        then waits for the surfaces that they have begun.
     `files`: of each surface at its end: "vtp", "glb", "ply", "obj", "drc", and "png", a picture, with `picture` as `Session.picture` takes it.
     `times`, `through`, `fields`: of the numbers, as `Surface.numbers` takes them; left out, those at the end.
-    `url`: a server that all use; left out, each process of workers starts one, keeps it for its next tasks, and ends it a minute after
-        the last. `store`, `binary`, `memory`, `threads` and `options` as of `serve`: give each its share of a machine.
-    `timeout`: seconds for each surface. `tries`: how often a task is begun whose worker or server dies, the last time alone. `ahead`: how many tasks
-        the executor has at a time; left out, twice its workers, or 1000 where they are not known.
+    `url`: a server that all use; left out, each process of workers starts one for a case, keeps it for its next tasks, and ends it a minute after
+        the last; it uses two at a time at most, each for eight tasks at most. `store`, `binary`, `memory`, `threads` and `options` as of `serve`:
+        give each server its share of a machine.
+    `timeout`: seconds for each surface. `tries`: how often a task is begun whose server dies, has a fault or is overloaded, or for which the
+        executor raises, as where a worker dies; the last time alone. `ahead`: how many tasks the executor has at a time; left out, twice its
+        workers, or 1000 where they are not known.
     `progress`: told how much is done, with `done`, `total`, `kept` and `failed` as its state.
 
     A task that fails, as on a rake outside of the domain, is a row with its error; it is tried again by the next study. All surfaces of a case
-    are made again when the file that names it has become newer; data that change otherwise below the same path are not noticed. Some 2 kB of memory a row. One thread may call it; several may, for different folders.
+    are made again when the file that names it has another time or size than before; data that change otherwise below the same path, as in a
+    folder, are not noticed. Some 2 kB of memory a row. Several threads may call it at once, for different folders.
     Error: InvalidParameters, before anything is begun; WorkersLost, where the executor can do no more; ServerMissing, BrowserMissing.
 
     >>> lines = {f"{x:g}": [(x, 0.4, 0.1), (x, 0.6, 0.1)] for x in (0.4, 0.5, 9)}
