@@ -118,7 +118,8 @@ class ServerMissing(WakesurfError, FileNotFoundError):
 
 
 class ServerFailed(WakesurfError):
-    """The server that `serve` started has ended; the message is its last output."""
+    """The server that `serve` started has ended; the message is its last output, `code` its status: negative for a signal, 0 if it did
+    not start in time."""
 
 
 class BrowserMissing(WakesurfError, FileNotFoundError):

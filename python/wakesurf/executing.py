@@ -45,7 +45,7 @@ def answers(tasks: Iterator[Tuple[int, Task]], do: Callable[[Task], Answer], exe
             ahead: Optional[int]) -> Generator[Tuple[int, Task, Answer], None, None]:
     """Yields the answers of `do`, which can be pickled, as they come. `executor`: one, or what makes one. A task that was lost is done again after
     all others; the last of its `tries` alone, so that one that kills workers takes none of the others with it. Error: WorkersLost, and what
-    each task would fail of."""
+    each task would fail with."""
     pool, again, alone = _Pool(executor), deque[_Sent](), deque[_Sent]()
     sent: Dict[Future[Answer], _Sent] = {}
     workers = getattr(pool.executor, "_max_workers", None)

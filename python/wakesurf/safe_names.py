@@ -5,6 +5,7 @@ import hashlib
 import re
 from typing import List, Sequence, Set
 
+_DEVICES = re.compile(r"^(con|prn|aux|nul|(com|lpt)[1-9])(?=\.|$)", re.IGNORECASE)  # to Windows, whatever the extension
 _LONGEST = 40  # letters, of at most four bytes; file systems take 255 bytes
 
 
@@ -21,7 +22,7 @@ def safe_names(names: Sequence[str], others: Sequence[str] = ()) -> List[str]:
     taken: Set[str] = {each.casefold() for each in others}
     out = []
     for name in names:
-        safe = re.sub(r"[^\w.=+,-]+", "-", name).strip("-. ")[:_LONGEST]
+        safe = _DEVICES.sub(r"\1_", re.sub(r"[^\w.=+,-]+", "-", name).strip("-. ")[:_LONGEST])
         if safe != name or not safe or safe.casefold() in taken:
             safe = f"{safe}-{hashlib.sha256(name.encode(errors='surrogatepass')).hexdigest()[:10]}".lstrip("-")
         while safe.casefold() in taken:

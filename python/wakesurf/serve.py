@@ -13,8 +13,9 @@ import time as clock
 from typing import IO, Callable, List, Optional, Sequence, Union
 
 from .client import Client
-from .errors import ServerFailed, ServerMissing, WakesurfError
+from .errors import ServerFailed, ServerMissing
 from .frame_origin import notebook_origins
+from .name_mapping import error_of
 from .progress import ProgressTarget, Report
 from .session import Session
 
@@ -100,7 +101,8 @@ class Server:
                 part = os.read(self.process.stdout.fileno(), 4096)
                 if not part:
                     self.process.wait()
-                    raise ServerFailed(f"the server has ended with status {self.process.returncode}: {self._last_words()}")
+                    status = self.process.returncode
+                    raise ServerFailed(f"the server has ended with status {status}: {self._last_words()}", status)
                 text += part
         return next(word for word in text.decode().split() if "://" in word)
 
@@ -166,6 +168,6 @@ def _wait_for_data(client: Client, report: Report) -> None:
             entry = client.api.dataset.open(dataset=entry["dataset"], timeout_ms=500 if report.wanted else 30_000)
         if entry["state"] == "failed":
             problem = entry.get("error", {})
-            raise WakesurfError(f"{entry['name']} cannot be read: {problem.get('message', '')}", problem.get("code", 0),
-                                problem.get("kind", ""), problem.get("hint", ""))
+            raise error_of({"code": problem.get("code", 0), "message": f"{entry['name']} cannot be read: {problem.get('message', '')}",
+                            "data": {"kind": problem.get("kind", ""), "hint": problem.get("hint", "")}})
     report.done("imported")

@@ -17,10 +17,11 @@ import io
 import itertools
 import math
 import os
+import secrets
 import warnings
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, Mapping, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
 from .client import Client
 from .errors import InvalidParameters, WakesurfError
@@ -91,26 +92,32 @@ def study(rakes: Union[Mapping[str, AnyRake], Sequence[AnyRake]], cases: Union[M
           options: Sequence[str] = (), timeout: Optional[float] = None, tries: int = 3, ahead: Optional[int] = None,
           progress: Optional[ProgressTarget] = None) -> Study:
     """Makes a surface on each rake in each case with each setting, and returns their numbers. Each is a task of `executor`. What is in `folder`
-    already, of the very same task, is not made again: a study that was interrupted goes on where it was. It is the same to the byte, whoever
-    does it and in whatever order.
+    already, of the very same task, is not made again: a study that was interrupted goes on where it was. Results are the same to the byte, whoever
+    makes them and in whatever order.
 
     `rakes`: by name, or a list: points, which are a line or a polyline, or what `Session.rake` takes, such as {"circle": ..., "seeds": 32}, or
-        None: the one that the server suggests.
-    `cases`: by name, a list, or one: files, folders, stores and flows as `serve` takes them; with `url`, ids of datasets.
-    `settings`: by name, a list, or one: what `Session.surface` takes. Only `kind` must be given; the server suggests the rest.
+        None: the one that the server suggests. A dictionary whose keys are all among line, polyline, circle, points and seeds is one rake.
+    `cases`: by name, a list, or one: files, folders, stores and flows as `serve` takes them; with `url`, ids of datasets. Those of a list are
+        named by their files or folders.
+    `settings`: by name, a list, or one: what `Session.surface` takes. Only `kind` must be given; the server suggests the rest. Those of a list
+        are named by their kinds.
     `folder`: where results go, CASE/SETTING/RAKE.csv and more; all workers must see it at the same path.
     `executor`: of concurrent.futures or like one: threads, processes, Dask's `Client.get_executor()`, mpi4py's MPIPoolExecutor; or a function
-        that makes one, which is called again where workers die and take it with them. Left out: threads, as many as there are cores.
+        that makes one, which is called again where workers die and take it with them. Left out: threads, as many as there are cores; Ctrl-C
+        then waits for the surfaces that they have begun.
     `files`: of each surface at its end: "vtp", "glb", "ply", "obj", "drc", and "png", a picture, with `picture` as `Session.picture` takes it.
     `times`, `through`, `fields`: of the numbers, as `Surface.numbers` takes them; left out, those at the end.
-    `url`: a server that all use; left out, each process of workers starts one, keeps it for its next tasks, and ends it a minute after
-        the last. `store`, `binary`, `memory`, `threads` and `options` as of `serve`: give each its share of a machine.
-    `timeout`: seconds for each surface. `tries`: how often a task is begun whose worker or server dies, the last time alone. `ahead`: how many tasks
-        the executor has at a time; left out, twice its workers, or 1000 where they are not known.
+    `url`: a server that all use; left out, each process of workers starts one for a case, keeps it for its next tasks, and ends it a minute after
+        the last; it uses two at a time at most, each for eight tasks at most. `store`, `binary`, `memory`, `threads` and `options` as of `serve`:
+        give each server its share of a machine.
+    `timeout`: seconds for each surface. `tries`: how often a task is begun whose server dies, has a fault or is overloaded, or for which the
+        executor raises, as where a worker dies; the last time alone. `ahead`: how many tasks the executor has at a time; left out, twice its
+        workers, or 1000 where they are not known.
     `progress`: told how much is done, with `done`, `total`, `kept` and `failed` as its state.
 
     A task that fails, as on a rake outside of the domain, is a row with its error; it is tried again by the next study. All surfaces of a case
-    are made again when the file that names it has become newer; data that change otherwise below the same path are not noticed. Some 2 kB of memory a row. One thread may call it; several may, for different folders.
+    are made again when the file that names it has another time or size than before; data that change otherwise below the same path, as in a
+    folder, are not noticed. Some 2 kB of memory a row. Several threads may call it at once, for different folders.
     Error: InvalidParameters, before anything is begun; WorkersLost, where the executor can do no more; ServerMissing, BrowserMissing.
 
     >>> lines = {f"{x:g}": [(x, 0.4, 0.1), (x, 0.6, 0.1)] for x in (0.4, 0.5, 9)}
@@ -170,7 +177,7 @@ def _work(folder: Path, files: Sequence[str], times: Optional[Times], through: O
              "threads": threads, "options": list(options)}
     values = {} if url is None else {each["dataset"]: str(each.get("values", "")) for each in Client(url).datasets()}
     return Work(os.path.abspath(folder), url, values, given, wanted, query_of(times, through, "end" if times is None else None, names),
-                plain(dict(picture or {}), "picture"), timeout)
+                plain(dict(picture or {}), "picture"), timeout, secrets.token_hex(8))
 
 
 class _Named(NamedTuple):
@@ -185,7 +192,8 @@ class _Tasks:
     def __init__(self, work: Work, rakes: Any, cases: Any, settings: Any) -> None:
         self._folder = work.folder
         one_case = isinstance(cases, (str, os.PathLike))
-        self._cases = [each._replace(value=_case(work, each.value)) for each in _named("case", [cases] if one_case else cases, _stem)]
+        stem = functools.partial(_stem, work)
+        self._cases = [each._replace(value=_case(work, each.value)) for each in _named("case", [cases] if one_case else cases, stem)]
         one_setting = isinstance(settings, Mapping) and not all(isinstance(each, Mapping) for each in settings.values())
         self._settings = [each._replace(value=_setting(each.name, each.value))
                           for each in _named("setting", [settings] if one_setting else settings, _kind)]
@@ -197,7 +205,8 @@ class _Tasks:
         """Removes what workers that were killed had begun to write."""
         for case, setting in itertools.product(self._cases, self._settings):
             for part in glob.glob(os.path.join(glob.escape(os.path.join(self._folder, case.safe, setting.safe)), "*.part")):
-                os.remove(part)
+                with contextlib.suppress(OSError):
+                    os.remove(part)
 
     def __len__(self) -> int:
         return len(self._cases) * len(self._settings) * len(self._rakes)
@@ -205,7 +214,7 @@ class _Tasks:
     def __iter__(self) -> Iterator[Task]:
         for case, setting, rake in itertools.product(self._cases, self._settings, self._rakes):
             yield Task({"case": case.name, "setting": setting.name, "rake": rake.name}, os.path.join(case.safe, setting.safe, rake.safe),
-                       case.value, rake.value, setting.value)
+                       case.value[0], rake.value, setting.value, case.value[1])
 
 
 def _named(what: str, given: Any, name_of: Callable[[int, Any], str]) -> List[_Named]:
@@ -216,28 +225,40 @@ def _named(what: str, given: Any, name_of: Callable[[int, Any], str]) -> List[_N
             raise _refused(f"two {what}s have the same name", "names are texts: 1 and '1' are the same")
     else:
         pairs = []
-        seen: Dict[str, int] = {}
+        taken: Set[str] = set()
         for i, value in enumerate(given):
-            name = name_of(i, value)
-            seen[name] = seen.get(name, 0) + 1
-            pairs.append((name if seen[name] == 1 else f"{name}-{seen[name]}", value))
+            plain_name = name_of(i, value)
+            name = next(each for each in itertools.chain([plain_name], (f"{plain_name}-{n}" for n in itertools.count(2))) if each not in taken)
+            taken.add(name)
+            pairs.append((name, value))
     if not pairs:
         raise _refused(f"there is no {what}", "give at least one")
     return [_Named(name, safe, value) for (name, value), safe in zip(pairs, safe_names([name for name, _ in pairs], [_TABLE]))]
 
 
-def _stem(_: int, case: Any) -> str:
-    name: str = os.path.basename(os.path.normpath(os.fspath(case)))
-    return name[len("flow:"):] if name.startswith("flow:") else os.path.splitext(name)[0]
+def _is_path(work: Work, case: str) -> bool:
+    return work.url is None and not case.startswith(("flow:", "http://", "https://"))
+
+
+def _stem(work: Work, _: int, case: Any) -> str:
+    text: str = os.fspath(case)
+    name = os.path.basename(os.path.normpath(text))
+    if name.startswith("flow:"):
+        return name[len("flow:"):]
+    return os.path.splitext(name)[0] if _is_path(work, text) and not os.path.isdir(text) else name
 
 
 def _kind(_: int, setting: Any) -> str:
     return str(setting.get("kind", "")) if isinstance(setting, Mapping) else ""
 
 
-def _case(work: Work, case: Any) -> str:
+def _case(work: Work, case: Any) -> Tuple[str, str]:
+    """Returns the case as all workers find it, and what tells its file from others at the same path: also an older one that replaces it."""
     text: str = os.fspath(case)
-    return text if work.url is not None or text.startswith(("flow:", "http://", "https://")) else os.path.abspath(text)
+    if not _is_path(work, text):
+        return text, ""
+    found = os.stat(text) if os.path.isfile(text) else None
+    return os.path.abspath(text), f"{found.st_mtime_ns} {found.st_size}" if found else ""
 
 
 def _setting(name: str, given: Any) -> Json:
@@ -303,6 +324,6 @@ def _csv(found: Study) -> Iterator[bytes]:
     writer.writerow([f"{name} [{found.units[name]}]" if name in found.units else name for name in found.rows[0]])
     for row in found.rows:
         writer.writerow(["" if isinstance(value, float) and math.isnan(value) else value for value in row.values()])
-        yield text.getvalue().encode()
+        yield text.getvalue().encode(errors="backslashreplace")
         text.seek(0)
         text.truncate()

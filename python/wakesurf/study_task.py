@@ -8,26 +8,26 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from typing import Dict, Iterator, Optional, Tuple
 
 from .client import Client
-from .errors import BrowserMissing, OverLimit, ServerFailed, ServerFault, ServerMissing, Unreachable, WakesurfError
+from .errors import BrowserMissing, ServerMissing, WakesurfError
 from .files import write_whole
 from .generated.version import VERSION
-from .kept_server import kept_server
+from .kept_server import kept_server, lost
 from .plain import Json
 from .surface import Surface, begin
 
-FATAL = (ServerMissing, BrowserMissing, ImportError)  # each task would fail of them
-_LOST = (Unreachable, ServerFailed, ServerFault, OverLimit)  # of the server or its load, not of the task
+FATAL = (ServerMissing, BrowserMissing, ImportError)  # each task would fail with them
 _LONGEST = 600.0  # seconds for a file
 
 
 @dataclass(frozen=True)
 class Work:
-    """What all tasks of a study have in common. `values`: checksums of the datasets of `url`, by their ids. `query`: of the numbers."""
+    """What all tasks of a study have in common. `values`: checksums of the datasets of `url`, by their ids. `query`: of the numbers.
+    `study`: another one each time that a study is begun."""
 
     folder: str
     url: Optional[str]
@@ -37,17 +37,20 @@ class Work:
     query: Dict[str, str]
     picture: Json
     timeout: Optional[float]
+    study: str
 
 
 @dataclass(frozen=True)
 class Task:
-    """One combination. `place`: of its files below the folder, without an extension."""
+    """One combination. `place`: of its files below the folder, without an extension. `data`: what tells the file of the case from others at its
+    path, as the study was begun; empty where it is none."""
 
     names: Dict[str, str]
     place: str
     case: str
     rake: Optional[Json]
     setting: Json
+    data: str = ""
 
 
 @dataclass(frozen=True)
@@ -61,17 +64,15 @@ class Answer:
 
 def fingerprint(work: Work, task: Task) -> str:
     """Returns a checksum of all that the files depend on; where, and how fast, they are made is no part of it."""
-    asked: Json = {"version": VERSION, "case": task.case, "values": work.values.get(task.case, ""), "rake": task.rake, "setting": task.setting,
+    asked: Json = {"version": VERSION, "case": task.case, "data": task.data, "values": work.values.get(task.case, ""), "rake": task.rake, "setting": task.setting,
                    "options": list(work.options["options"]), "files": work.files, "query": work.query,
                    "picture": work.picture if "png" in work.files else {}}
     return hashlib.sha256(json.dumps(asked, sort_keys=True).encode()).hexdigest()
 
 
 def kept(work: Work, task: Task) -> Optional[Answer]:
-    """Returns what is there already of the very same task; None if it is not done, a file is missing, or that of the case is newer."""
+    """Returns what is there already of the very same task; None if it is not done, or a file is missing."""
     try:
-        if work.url is None and os.path.isfile(task.case) and os.path.getmtime(task.case) > os.path.getmtime(_path(work, task, "json")):
-            return None
         with open(_path(work, task, "json"), encoding="utf-8") as file:
             record = json.load(file)
         if record["fingerprint"] != fingerprint(work, task) or any(os.path.getsize(_path(work, task, extension)) != size
@@ -95,9 +96,11 @@ def done(work: Work, task: Task) -> Answer:
                 setting["rake"], clipped = made["rake"], made["clipped"]
             surface = begin(session, client.dataset if work.url is None else task.case, setting)
             return _written(work, task, surface, clipped)
-    except (*FATAL, *_LOST):
+    except FATAL:
         raise
     except (WakesurfError, OSError, ValueError) as problem:
+        if lost(problem):
+            raise
         return Answer(error=str(problem) or type(problem).__name__)
 
 
@@ -106,7 +109,7 @@ def _client(work: Work, task: Task) -> Iterator[Client]:
     if work.url is not None:
         yield Client(work.url)
     else:
-        with kept_server(task.case, work.options) as client:
+        with kept_server(task.case, task.data, work.options, work.study) as client:
             yield client
 
 
@@ -116,7 +119,7 @@ def _written(work: Work, task: Task, surface: Surface, clipped: bool) -> Answer:
     facts = {"clipped": clipped, "quads": stats["quads"], "separation": stats["separation"], "coarsened": stats["coarsened"]}
     bodies = {"csv": numbers.encode(), **{each: _body(work, surface, each) for each in work.files}}
     os.makedirs(os.path.dirname(_path(work, task, "csv")), exist_ok=True)
-    if os.path.exists(_path(work, task, "json")):
+    with suppress(FileNotFoundError):
         os.remove(_path(work, task, "json"))  # of something else, whose files these replace one by one
     for extension, body in bodies.items():
         write_whole(_path(work, task, extension), [body])

@@ -21,7 +21,8 @@ import wakesurf
 from wakesurf import kept_server
 from wakesurf.executing import answers
 from wakesurf.safe_names import safe_names
-from wakesurf.study_task import Answer, Task
+from wakesurf.study import _Tasks
+from wakesurf.study_task import Answer, Task, Work
 
 SQCYL = os.path.join(ROOT, "data/sqcyl/sqcyl.pvd")
 STREAM = {"kind": "stream", "to": 2, "separation": 0.2, "accuracy": "fast"}
@@ -115,15 +116,27 @@ class StudyTest(FolderTest):
         self.assertLess(changed.rows[0]["area"], first.rows[0]["area"])
         self.assertEqual(self.study({**RAKES, "new": RAKES["0.4"]}, settings={**STREAM, "to": 1}, files="ply").kept, 3)
 
-    def test_makes_again_what_is_older_than_its_case(self):
-        case = wakesurf.write_series(os.path.join(self.folder, "mine.pvd"), [0, 1], [np.ones((4, 4, 4, 3)), np.ones((4, 4, 4, 3))])[0]
-        rakes, setting = [[(0.5, 0.5, 1), (0.5, 2.5, 1)]], {"kind": "stream", "to": 1, "separation": 0.5}
-        kept = []
-        for made in (None, None, 1e9, None):
-            if made:
-                os.utime(os.path.join(self.folder, "out/mine/stream/0.json"), (made, made))
-            kept.append(self.study(rakes, case, setting, store=os.path.join(self.folder, "store")).kept)
-        self.assertEqual(kept, [0, 1, 0, 1])
+    def test_makes_again_all_of_a_case_whose_file_is_another_one_also_if_that_is_older(self):
+        speeds = {name: wakesurf.write_series(os.path.join(self.folder, f"{name}.pvd"), [0, 1], [np.full((4, 4, 4, 3), speed)] * 2)[0]
+                  for name, speed in (("mine", 1.0), ("half", 0.5))}
+        rakes, setting, found = [[(0.5, 0.5, 1), (0.5, 1.5, 1)]], {"kind": "stream", "to": 1, "separation": 0.5}, []
+        for other in (None, None, "half", None):
+            if other:
+                os.utime(speeds[other], (1e9, 1e9))
+                os.replace(speeds[other], speeds["mine"])
+            found.append(self.study(rakes, speeds["mine"], setting, store=os.path.join(self.folder, "store")))
+        self.assertEqual([each.kept for each in found], [0, 1, 0, 1])
+        self.assertAlmostEqual(found[2].rows[0]["area"], found[0].rows[0]["area"] / 2, delta=1e-6)
+
+    def test_names_cases_of_a_list_by_their_files_and_folders_each_differently(self):
+        folders = [os.path.join(self.folder, name) for name in ("run_0.5", "run_0.6")]
+        for each in folders:
+            os.mkdir(each)
+        for cases, url, names in ((folders, None, ["run_0.5", "run_0.6"]), (["flow:abc", "x/wing.foam"], None, ["abc", "wing"]),
+                                  (["a/case.foam", "b/case.foam", "case-2.foam"], None, ["case", "case-2", "case-2-2"]),
+                                  (["run_0.5"], "http://server", ["run_0.5"])):
+            tasks = _Tasks(Work("", url, {}, {}, (), {}, {}, None, ""), [None], cases, STREAM)
+            self.assertEqual([task.names["case"] for task in tasks], names)
 
     def test_has_a_row_with_words_for_what_fails_and_goes_on(self):
         rakes = {"beside": BESIDE, "not a number": [(float("nan"), 0, 0), (1, 1, 1)], **RAKES}
@@ -160,7 +173,7 @@ class StudyTest(FolderTest):
             self.assertEqual(self.study(RAKES).failed, 0)
 
     def test_writes_nowhere_else_whatever_names_it_is_given(self):
-        names = {"../../escaped": RAKES["0.4"], "/tmp/escaped": RAKES["0.5"], "a\0b\n": RAKES["0.6"], "": BESIDE}
+        names = {"../../escaped": RAKES["0.4"], "/tmp/escaped": RAKES["0.5"], "a\0b\n\ud800": RAKES["0.6"], "": BESIDE}
         found = self.study(names, {"..": "flow:tornado", "study.csv": "flow:abc"}, {".hidden/x": STREAM})
         self.assertEqual([row["rake"] for row in found.rows[:4]], list(names))
         self.assertEqual(len(bytes_below(self.folder)), 2 * found.surfaces - 2 * found.failed + 1)
@@ -262,7 +275,7 @@ class LostWorkersTest(FolderTest):
             found = {number: answer for number, _, answer in answers(numbered(5), always_lost, pool, 2, None)}
         self.assertEqual([found[i].error for i in range(5)], ["", "given up after 2 tries: no answer", "", "", ""])
 
-    def test_what_every_task_would_fail_of_ends_it(self):
+    def test_what_every_task_would_fail_with_ends_it(self):
         def fails(_):
             raise wakesurf.ServerMissing("there is no program")
         with self.assertRaises(wakesurf.ServerMissing):
@@ -306,7 +319,7 @@ class KeptServerTest(unittest.TestCase):
     OPTIONS = {"binary": BINARY, "threads": 1}
 
     def pid(self, case):
-        with kept_server.kept_server(case, self.OPTIONS) as client:
+        with kept_server.kept_server(case, "", self.OPTIONS, "") as client:
             client.info()
             return next(each.begun.result().process.pid for each in kept_server._kept.values() if each.users)
 
@@ -331,16 +344,82 @@ class KeptServerTest(unittest.TestCase):
             until(lambda: not os.path.exists(f"/proc/{first}"))
 
 
+class StartsTest(unittest.TestCase):
+    """Starts of servers that are none: `starts` are those that were begun, `problems` the errors of the next ones."""
+
+    def setUp(self):
+        self.starts, self.problems, self.stopped = [], [], []
+        for patch in (unittest.mock.patch.object(kept_server, "serve", self.serve), unittest.mock.patch.object(kept_server, "Client", str),
+                      unittest.mock.patch.object(kept_server, "_kept", {}), unittest.mock.patch.object(kept_server, "_failed", {})):
+            patch.start()
+            self.addCleanup(patch.stop)
+        self.addCleanup(lambda: [each.unwanted.set() for each in kept_server._kept.values()])
+
+    def serve(self, case, **_):
+        self.starts.append(case)
+        if self.problems:
+            raise self.problems.pop(0)
+        server = unittest.mock.Mock(url=f"{case} {len(self.starts)}", running=True)
+        server.stop = lambda: self.stopped.append(case)
+        return server
+
+    def use(self, case="case", data="", study="first"):
+        with kept_server.kept_server(case, data, {}, study) as url:
+            return url
+
+    def test_a_server_of_a_file_that_was_another_one_is_not_used(self):
+        self.assertEqual([self.use(data="1"), self.use(data="1", study="second"), self.use(data="2")], ["case 1", "case 1", "case 2"])
+
+    def test_what_is_wrong_with_a_case_is_found_once_in_a_study_and_again_in_the_next(self):
+        for problem in (wakesurf.DatasetError("damaged"), wakesurf.ServerFailed("no such file", 1)):
+            self.starts.clear()
+            self.problems.append(problem)
+            for _ in range(3):
+                with self.assertRaises(type(problem)):
+                    self.use(study=str(problem))
+            self.assertEqual(len(self.starts), 1)
+            self.assertFalse(kept_server.lost(problem))
+            self.use("case", str(problem), study=str(problem) + " mended")
+            self.assertEqual(len(self.starts), 2)
+
+    def test_a_start_that_fails_for_another_reason_is_tried_again(self):
+        for problem in (wakesurf.ServerMissing("none"), wakesurf.Unreachable("killed"), wakesurf.ServerFailed("killed", -9),
+                        wakesurf.ServerFailed("not started in time"), wakesurf.OverLimit("memory"), OSError("no more processes")):
+            self.problems.append(problem)
+            with self.assertRaises(type(problem)):
+                self.use(repr(problem))
+            self.use(repr(problem))
+            self.assertEqual(self.starts.count(repr(problem)), 2)
+
+    def test_a_third_server_waits_until_one_of_two_has_no_users(self):
+        waiting = threading.Event()
+
+        class Watched(threading.Condition):
+            def wait(self, timeout=None):
+                waiting.set()
+                return super().wait(timeout)
+
+        with unittest.mock.patch.object(kept_server, "_changed", Watched()), ThreadPoolExecutor(1) as threads:
+            with kept_server.kept_server("a", "", {}, ""):
+                with kept_server.kept_server("b", "", {}, ""):
+                    third = threads.submit(self.use, "c")
+                    self.assertTrue(waiting.wait(60))
+                    self.assertEqual(self.starts, ["a", "b"])
+                self.assertEqual(third.result(), "c 3")
+                until(lambda: self.stopped == ["b"])
+
+
 class SafeNamesTest(unittest.TestCase):
     def test_are_different_for_different_names_and_stay_the_same_in_other_company(self):
-        names = ["wing", "Wing", "WING", "a/b", "a:b", "a-b", "..", "", ".", "x" * 300, "x" * 301, "y=0.5", "\ud800", "流れ"]
+        names = ["wing", "Wing", "WING", "a/b", "a:b", "a-b", "..", "", ".", "x" * 300, "x" * 301, "y=0.5", "\ud800", "流れ", "aux", "NUL.x", "falcon"]
         safe = safe_names(names)
         self.assertEqual(len({each.casefold() for each in safe}), len(names))
         for name, each in zip(names, safe):
             self.assertLess(len(each.encode()), 200)
             self.assertEqual(os.path.basename(each), each)
             self.assertNotIn(each[0], ".-")
-        self.assertEqual([each for each in names if each in safe], ["wing", "a-b", "y=0.5", "流れ"])
+        self.assertEqual([each for each in names if each in safe], ["wing", "a-b", "y=0.5", "流れ", "falcon"])
+        self.assertTrue(safe[-3].startswith("aux_-") and safe[-2].startswith("NUL_.x-"))  # the others are devices to Windows
         self.assertEqual(safe_names(names[3:]), safe[3:])
 
 
