@@ -117,8 +117,8 @@ MaterialTriangles::Edge MaterialTriangles::find(VertexId a, VertexId b) const {
     if (unused(a))
         return {no_triangle, 0};
     const TriangleId first = of_[a];
-    for (const unsigned way :
-         {0u, 2u}) // clockwise, and the other way from the first where there is a boundary
+    // Clockwise, and where that meets a boundary the other way as well.
+    for (const unsigned way : {0u, 2u})
         for (TriangleId t = first;;) {
             const unsigned k = slots_[t].edge_from(a);
             if (slots_[t].end(k) == b)

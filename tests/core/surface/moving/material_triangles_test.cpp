@@ -246,6 +246,8 @@ TEST(MaterialTriangles, StaySoundWhateverIsDoneToThem) {
             if (i % 7 == 0) {
                 pair_and_clean(mesh);
                 ASSERT_EQ(violation(mesh), "") << "seed " << seed << ", " << i;
+                ASSERT_EQ(mesh.vertices.used(), snapshot(mesh, {}).vertex_id.size())
+                    << "those that nothing has any more are removed, and no others";
                 odd += 2 * triangles.quads() - triangles.live();
             }
         }

@@ -1,4 +1,4 @@
-// Of the words that a dataset's values are told from others by (DatasetEntry.values), that of the grid: bodies change with it alone.
+// The first word of DatasetEntry.values, which stands for the grid: bodies change only when it does.
 export function gridOf(values: string | undefined): string {
     return (values ?? '').split(' ')[0]!;
 }
