@@ -5,9 +5,11 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <vector>
 
@@ -56,6 +58,16 @@ std::vector<Found> gather(std::size_t count, const Visit& visit, std::size_t gra
     for (const auto& part : parts)
         all.insert(all.end(), part.begin(), part.end());
     return all;
+}
+
+/// Sorts on all threads, with the same result for any number of them: things of which neither is before the other are the
+/// same in everything.
+template <class Thing, class Before>
+void sort_all(std::vector<Thing>& things, const Before& before) {
+    // One thread makes the first division, two the next and so on: of n log2(n) steps 2 n are in a row.
+    const LoopTimes::Loop timed(static_cast<std::size_t>(std::bit_width(things.size()) / 2 + 1), 1);
+    tbb::this_task_arena::isolate(
+        [&] { tbb::parallel_sort(things.begin(), things.end(), before); });
 }
 
 /// Returns the largest of `value(i)` for 0 to `count` - 1, and at least `most`.

@@ -2,6 +2,7 @@
 // handed out in 6.5 ms, and std::sort alone would take 8 more.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -31,6 +32,17 @@ void radix_sort(std::vector<Thing>& things, Key key) {
             other[place[bucket(thing)]++] = thing;
         things.swap(other);
     }
+}
+
+/// Returns each number once, in order.
+inline std::vector<std::uint32_t> distinct(std::vector<std::uint32_t> numbers) {
+    constexpr std::size_t few = 512; // for a radix sort, which clears its buckets
+    if (numbers.size() < few)
+        std::sort(numbers.begin(), numbers.end());
+    else
+        radix_sort(numbers, [](std::uint32_t number) { return number; });
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
 }
 
 } // namespace wakesurf::core

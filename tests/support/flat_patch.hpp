@@ -60,8 +60,13 @@ inline void pair_and_clean(core::MovingMesh& mesh) {
     rules.separation = 1e9;
     const auto flow = *core::make_analytic_flow("uniform");
     const std::vector<core::TriangleId> loose = mesh.triangles.loose();
-    core::pair_all({mesh, *flow, rules}, loose,
-                   [&](core::TriangleId t, unsigned k) { return insert_middle(mesh, t, k); });
+    const core::RefinementContext context{mesh, *flow, rules};
+    const std::size_t fresh = mesh.vertices.fresh().size();
+    for (const core::TriangleId t : core::pair_all(context, loose)) {
+        const unsigned k = core::side_to_halve(context, t);
+        mesh.triangles.leave_odd(t, k, insert_middle(mesh, t, k), mesh.triangles.take_ids(1));
+    }
+    mesh.vertices.fresh().resize(fresh); // those in the middle of an edge hang on a triangle each
     mesh.triangles.touched().clear();
     core::remove_unused_vertices(mesh);
 }

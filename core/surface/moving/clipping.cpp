@@ -15,6 +15,7 @@ constexpr double close_enough = 2e-7; ///< of an edge
 constexpr int halvings = 24;
 constexpr int halvings_of_guess = 8;
 constexpr int search_rounds = 24;
+constexpr std::size_t few_edges = 16; ///< for one task
 
 /// Particles that are carried together from one time to another.
 struct Batch {
@@ -23,13 +24,16 @@ struct Batch {
     std::vector<double> time;
     std::vector<CurveEnd> end;
 
-    void add(const Carried& carried, double at) {
-        position.push_back(carried.position);
-        along_s.push_back(carried.along_s);
-        along_t.push_back(carried.along_t);
-        expansion.push_back(static_cast<float>(carried.expansion));
-        time.push_back(at);
-        end.push_back(CurveEnd::Running);
+    explicit Batch(std::size_t size)
+        : position(size), along_s(size), along_t(size), expansion(size), time(size),
+          end(size, CurveEnd::Running) {}
+
+    void set(std::size_t i, const Carried& carried, double at) {
+        position[i] = carried.position;
+        along_s[i] = carried.along_s;
+        along_t[i] = carried.along_t;
+        expansion[i] = static_cast<float>(carried.expansion);
+        time[i] = at;
     }
 
     Carried operator[](std::size_t i) const {
@@ -59,6 +63,7 @@ struct Search {
     double tried;       ///< part of the way
     double alive = 0.0; ///< part of the way at which a particle still lives at the end of the step
     double dead = 1.0;  ///< and at which it does not
+    bool possible = true; ///< both ends lived at the beginning of the step
     bool done = false;
 
     void learn(bool lives, double time, double now) {
@@ -136,57 +141,76 @@ Result<void> find_crossings(const RefinementContext& context,
         return v.role[x] == VertexRole::Free &&
                (mesh.lattice.last_row > 0.0 || sign * (v.t[x] - before) <= 0.0);
     };
+    std::vector<std::uint8_t> searched(crossings.size(), 0);
+    std::vector<double> guess(crossings.size());
+    for_each_index(
+        crossings.size(),
+        [&](std::size_t i) {
+            EdgeCrossing& each = crossings[i];
+            if (v.end[each.dead] == CurveEnd::Time)
+                return search_age(context, each);
+            if (v.end[each.dead] != CurveEnd::Domain && v.end[each.dead] != CurveEnd::Obstacle)
+                return;
+            // A vertex that is traced again may turn out to have ended long ago, somewhere else.
+            if (sign * (v.time[each.dead] - before) < 0.0)
+                return;
+            if (!moved_all_step(each.living) || !moved_all_step(each.dead) || now == before)
+                return search_now(context, each);
+            searched[i] = 1;
+            guess[i] = part_inside(context, edge_now(context, each), halvings_of_guess);
+        },
+        few_edges);
     std::vector<Search> searches;
-    Batch living, dead;
-    for (EdgeCrossing& each : crossings) {
-        if (v.end[each.dead] == CurveEnd::Time) {
-            search_age(context, each);
-            continue;
-        }
-        if (v.end[each.dead] != CurveEnd::Domain && v.end[each.dead] != CurveEnd::Obstacle)
-            continue;
-        // A vertex that is traced again may turn out to have ended long ago, somewhere else.
-        if (sign * (v.time[each.dead] - before) < 0.0)
-            continue;
-        if (!moved_all_step(each.living) || !moved_all_step(each.dead) || now == before) {
-            search_now(context, each);
-            continue;
-        }
-        living.add(v.point(each.living).carried, now);
-        dead.add(v.point(each.dead).carried, v.time[each.dead]);
-        const double guess = part_inside(context, edge_now(context, each), halvings_of_guess);
-        searches.push_back(
-            {&each, v.time[each.dead], guess < 1.0 ? guess + 0.01 * (1.0 - guess) : 0.5});
-    }
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+        if (searched[i] != 0)
+            searches.push_back({&crossings[i], v.time[crossings[i].dead],
+                                guess[i] < 1.0 ? guess[i] + 0.01 * (1.0 - guess[i]) : 0.5});
+    Batch living(searches.size()), dead(searches.size());
+    for_each_index(searches.size(), [&](std::size_t i) {
+        const EdgeCrossing& each = *searches[i].of;
+        living.set(i, v.point(each.living).carried, now);
+        dead.set(i, v.point(each.dead).carried, v.time[each.dead]);
+    });
     for (Batch* batch : {&living, &dead})
         if (auto back = batch->advance(context.flow, before, options, stop); !back)
             return tl::unexpected(back.error());
+    for_each_index(
+        searches.size(),
+        [&](std::size_t i) {
+            Search& search = searches[i];
+            search.of->edge = {living[i], dead[i],
+                               mesh.parameter_step(search.of->living, search.of->dead)};
+            search.possible =
+                living.end[i] == CurveEnd::Running && dead.end[i] == CurveEnd::Running;
+            if (!search.possible)
+                search_now(context, *search.of);
+        },
+        few_edges);
     std::vector<Search*> active;
-    for (std::size_t i = 0; i < searches.size(); ++i) {
-        Search& search = searches[i];
-        search.of->edge = {living[i], dead[i],
-                           mesh.parameter_step(search.of->living, search.of->dead)};
-        if (living.end[i] == CurveEnd::Running && dead.end[i] == CurveEnd::Running)
+    for (Search& search : searches)
+        if (search.possible)
             active.push_back(&search);
-        else
-            search_now(context, *search.of);
-    }
     const std::vector<Search*> all = active;
     for (int round = 0; round < search_rounds && !active.empty(); ++round) {
-        Batch trial;
-        for (const Search* search : active)
-            trial.add(search->of->edge.at(search->tried), before);
+        Batch trial(active.size());
+        for_each_index(
+            active.size(),
+            [&](std::size_t i) { trial.set(i, active[i]->of->edge.at(active[i]->tried), before); },
+            few_edges);
         if (auto carried = trial.advance_places(context.flow, now, options, stop); !carried)
             return tl::unexpected(carried.error());
         for (std::size_t i = 0; i < active.size(); ++i)
             active[i]->learn(trial.end[i] == CurveEnd::Running, trial.time[i], now);
         std::erase_if(active, [](const Search* search) { return search->done; });
     }
-    Batch found;
-    for (const Search* search : all) {
-        search->of->part = search->alive;
-        found.add(search->of->edge.at(search->of->part), before);
-    }
+    Batch found(all.size());
+    for_each_index(
+        all.size(),
+        [&](std::size_t i) {
+            all[i]->of->part = all[i]->alive;
+            found.set(i, all[i]->of->edge.at(all[i]->alive), before);
+        },
+        few_edges);
     if (auto carried = found.advance(context.flow, now, options, stop); !carried)
         return tl::unexpected(carried.error());
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -278,8 +302,7 @@ std::vector<EdgeCrossing> edges_to_the_dead(const RefinementContext& context,
     };
     std::vector<EdgeCrossing> edges = gather<EdgeCrossing>(candidates.size(), add);
     const auto key = [&](const EdgeCrossing& e) { return std::pair(ids[e.living], ids[e.dead]); };
-    std::sort(edges.begin(), edges.end(),
-              [&](const EdgeCrossing& p, const EdgeCrossing& q) { return key(p) < key(q); });
+    sort_all(edges, [&](const EdgeCrossing& p, const EdgeCrossing& q) { return key(p) < key(q); });
     edges.erase(
         std::unique(edges.begin(), edges.end(),
                     [&](const EdgeCrossing& p, const EdgeCrossing& q) { return key(p) == key(q); }),
@@ -290,7 +313,7 @@ std::vector<EdgeCrossing> edges_to_the_dead(const RefinementContext& context,
 void clip(const RefinementContext& context,
           std::span<const TriangleId> candidates,
           std::span<const EdgeCrossing> crossings,
-          const std::function<VertexId(const EdgeCrossing& crossing)>& insert) {
+          std::span<const VertexId> made) {
     MovingMesh& mesh = context.mesh;
     MaterialTriangles& triangles = mesh.triangles;
     const auto add = [&](std::size_t i, std::vector<VertexId>& found) {
@@ -300,15 +323,10 @@ void clip(const RefinementContext& context,
                     found.push_back(v);
     };
     std::vector<VertexId> dead = gather<VertexId>(candidates.size(), add);
-    for (const EdgeCrossing& crossing : crossings) {
-        if (!crossing.found)
-            continue;
-        auto there = triangles.find(crossing.living, crossing.dead);
-        if (there.triangle == no_triangle)
-            there = triangles.find(crossing.dead, crossing.living);
-        if (there.triangle != no_triangle)
-            triangles.split(there.triangle, there.k, insert(crossing));
-    }
+    for (std::size_t i = 0; i < crossings.size(); ++i)
+        if (const auto [t, k] = triangles.find_either_way(crossings[i].living, crossings[i].dead);
+            t != no_triangle)
+            triangles.split(t, k, made[i]);
     const auto& ids = mesh.vertices.id;
     std::sort(dead.begin(), dead.end(), [&](VertexId a, VertexId b) { return ids[a] < ids[b]; });
     dead.erase(std::unique(dead.begin(), dead.end()), dead.end());
@@ -326,7 +344,15 @@ void erode(const RefinementContext& context, std::span<const TriangleId> candida
     MaterialTriangles& triangles = context.mesh.triangles;
     if (triangles.live() <= speck) // the whole surface is as small as that
         return;
-    std::vector<TriangleId> queue(candidates.begin(), candidates.end()), ring;
+    std::vector<TriangleId> ring;
+    std::vector<TriangleId> queue = gather<TriangleId>(
+        candidates.size(),
+        [&](std::size_t i, std::vector<TriangleId>& found) {
+            thread_local std::vector<TriangleId> its_ring;
+            if (triangles[candidates[i]].live && may_erode(context, candidates[i], its_ring))
+                found.push_back(candidates[i]);
+        },
+        few_triangles);
     for (std::size_t i = 0; i < queue.size(); ++i) {
         const TriangleId t = queue[i];
         if (!triangles[t].live || !may_erode(context, t, ring))

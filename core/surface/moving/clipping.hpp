@@ -6,7 +6,6 @@
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/refinement_context.hpp"
 
-#include <functional>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -42,11 +41,12 @@ std::vector<EdgeCrossing> edges_to_the_dead(const RefinementContext& context,
 /// Cuts triangles that have a dead vertex where the surface crosses the boundary at which it ended: one
 /// vertex an edge, shared, on the boundary itself. A vertex that came to rest has crossed nothing, and its
 /// triangles are removed.
-/// @param insert  adds the vertex of a crossing to the mesh's vertices
+/// @param crossings  that have been found
+/// @param made       their vertices
 void clip(const RefinementContext& context,
           std::span<const TriangleId> candidates,
           std::span<const EdgeCrossing> crossings,
-          const std::function<VertexId(const EdgeCrossing& crossing)>& insert);
+          std::span<const VertexId> made);
 
 /// Takes thin triangles off the boundary among `candidates`, and what they uncover: along a tear those
 /// narrower than 0.15 of the separation, along the border of the parameter rectangle filaments narrower than

@@ -1,6 +1,8 @@
 #include "core/surface/moving/edge_changes.hpp"
 
 #include "core/base/for_each_index.hpp"
+#include "core/base/radix_sort.hpp"
+#include "core/surface/moving/edit_round.hpp"
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/split_criteria.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
@@ -27,8 +29,9 @@ double cotangent(double p, double q, double across) {
            std::sqrt(std::max(4.0 * p * q - twice_dot * twice_dot, 1e-12 * p * q + 1e-300));
 }
 
-/// As should_flip(), by what the two triangles and their vertices are: it stays so until one of them is turned.
-bool is_worth_flipping(const RefinementContext& context, TriangleId t, unsigned k) {
+} // namespace
+
+bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
     const MovingMesh& mesh = context.mesh;
     const Triangle& here = mesh.triangles[t];
     const TriangleId u = here.across[k];
@@ -74,53 +77,42 @@ bool is_worth_flipping(const RefinementContext& context, TriangleId t, unsigned 
     if (bridging_after == bridging_before && bulges(context, c, d, 0.8) &&
         squared(edge_bend(mesh, c, d)) > squared(edge_bend(mesh, a, b)))
         return false;
-    return !crosses_obstacle(context, c, d, cd);
-}
-
-} // namespace
-
-bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
-    const MaterialTriangles& triangles = context.mesh.triangles;
-    if (!is_worth_flipping(context, t, k))
-        return false;
-    const VertexId c = triangles[t].opposite(k), d = triangles.opposite_beyond(t, k);
-    return triangles.find(c, d).triangle == no_triangle &&
-           triangles.find(d, c).triangle == no_triangle;
+    return !crosses_obstacle(context, c, d, cd) &&
+           mesh.triangles.find(c, d).triangle == no_triangle &&
+           mesh.triangles.find(d, c).triangle == no_triangle;
 }
 
 void flip_all(const RefinementContext& context, std::vector<TriangleId>& queue) {
-    MaterialTriangles& triangles = context.mesh.triangles;
-    const std::size_t asked = queue.size(), most = asked * 20 + 1000;
-    // Most are refused, which is found in parallel first.
-    std::vector<std::uint8_t> worth(asked, 0); // bits of edges
-    for_each_index(
-        asked,
-        [&](std::size_t i) {
-            for (unsigned k = 0; k < 3 && triangles[queue[i]].live; ++k)
-                worth[i] |= static_cast<std::uint8_t>(is_worth_flipping(context, queue[i], k) << k);
-        },
-        few_triangles);
-    std::vector<std::uint8_t> turned; // of triangle slots, once one is
-    const auto is_as_asked = [&](std::size_t i, unsigned k) {
-        const TriangleId u = triangles[queue[i]].across[k];
-        return i < asked &&
-               (turned.empty() || (turned[queue[i]] == 0 && (u == no_triangle || turned[u] == 0)));
+    struct Flip {
+        TriangleId t, u;
+        unsigned k;
     };
-    for (std::size_t i = 0; i < queue.size() && i < most && !context.stop.stop_requested(); ++i) {
+
+    MaterialTriangles& triangles = context.mesh.triangles;
+    triangles.claims().make_room(context.mesh.vertices.slots());
+    const auto ask = [&](std::size_t i, std::vector<VertexId>& claimed) -> std::optional<Flip> {
         const TriangleId t = queue[i];
-        if (!triangles[t].live)
-            continue;
-        for (unsigned k = 0; k < 3; ++k) {
-            if ((is_as_asked(i, k) && (worth[i] >> k & 1) == 0) || !should_flip(context, t, k))
-                continue;
-            turned.resize(triangles.slots().size());
-            for (const TriangleId each : {t, triangles[t].across[k]}) {
-                turned[each] = 1;
-                queue.push_back(each);
+        for (unsigned k = 0; k < 3 && triangles[t].live; ++k)
+            if (should_flip(context, t, k)) {
+                const auto& [a, b, c] = triangles[t].vertex;
+                claimed.insert(claimed.end(), {a, b, c, triangles.opposite_beyond(t, k)});
+                return Flip{t, triangles[t].across[k], k};
             }
-            triangles.flip(t, k);
-            break;
-        }
+        return std::nullopt;
+    };
+    // Where an edge is turned, those beside it may be worth it next.
+    std::size_t left = queue.size() * 20 + 1000;
+    while (!queue.empty() && left > 0 && !context.stop.stop_requested()) {
+        const auto round = edit_round<Flip>(
+            std::min(queue.size(), left), triangles, ask, numbers_nothing, prepares_nothing,
+            [&](const Flip& flip, std::size_t, TriangleChanges& changes) {
+                triangles.flip(flip.t, flip.k, changes);
+            });
+        left -= std::min(queue.size(), left);
+        std::vector<TriangleId> next = round.again(queue);
+        for (const Flip& flip : round.made)
+            next.insert(next.end(), {flip.t, flip.u});
+        queue = distinct(std::move(next));
     }
     queue.clear();
 }
@@ -259,7 +251,7 @@ wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candid
         }
     }
     // An edge that must be cut comes before the same edge for the shape of what lies beside it.
-    std::sort(wanted.begin(), wanted.end(), [](const WantedCut& x, const WantedCut& y) {
+    sort_all(wanted, [](const WantedCut& x, const WantedCut& y) {
         return std::tuple(-x.length, x.id_a, x.id_b, !x.must) <
                std::tuple(-y.length, y.id_a, y.id_b, !y.must);
     });

@@ -1,7 +1,9 @@
 #include "core/surface/moving/joins.hpp"
 
 #include "core/base/for_each_index.hpp"
+#include "core/base/radix_sort.hpp"
 #include "core/surface/moving/edge_changes.hpp"
+#include "core/surface/moving/edit_round.hpp"
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/split_criteria.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
@@ -34,23 +36,15 @@ struct Short {
     std::uint32_t id_a, id_b; ///< a's is the smaller
 };
 
-/// Takes one vertex into another, and holds all that has to be known of it.
+/// Whether one vertex may be taken into another, and all that has to be known of it.
 class Join {
   public:
     /// @param shape_counts  false: only the part on the surface, and its border, is tested
     Join(const RefinementContext& context, std::vector<TriangleId>& ring, bool shape_counts = true)
         : context_(context), mesh_(context.mesh), ring_(ring), shape_counts_(shape_counts) {}
 
-    /// Takes `gone` into `kept` where that is allowed.
-    bool try_out(VertexId gone, VertexId kept) {
-        if (!allowed(gone, kept))
-            return false;
-        mesh_.triangles.collapse(gone, kept, ring_);
-        return true;
-    }
-
-  private:
-    /// Returns whether the join is allowed. What is cheap, and refuses most, comes first.
+    /// Returns whether `gone` may be taken into `kept`, its neighbour. Its fan is in the ring then. What is cheap, and refuses
+    /// most, comes first.
     bool allowed(VertexId gone, VertexId kept) {
         if (mesh_.vertices.role[gone] == VertexRole::Attached ||
             mesh_.vertices.dead(gone) != mesh_.vertices.dead(kept))
@@ -66,6 +60,7 @@ class Join {
                (!shape_counts_ || (bends_allow(gone, kept) && walls_allow(gone, kept)));
     }
 
+  private:
     /// Along the boundary only, where it is straight; the rectangle's corners stay.
     bool border_allows(VertexId gone, VertexId kept) const {
         const Triangle& first = mesh_.triangles[ring_.front()];
@@ -239,7 +234,7 @@ std::vector<Short> short_edges(const RefinementContext& context,
         });
     };
     std::vector<Short> edges = gather<Short>(triangles.size(), add, few_triangles);
-    std::sort(edges.begin(), edges.end(), [](const Short& x, const Short& y) {
+    sort_all(edges, [](const Short& x, const Short& y) {
         return std::tie(x.length, x.id_a, x.id_b) < std::tie(y.length, y.id_a, y.id_b);
     });
     const auto same = [](const Short& x, const Short& y) {
@@ -268,33 +263,73 @@ bool join_needle(const RefinementContext& context, TriangleId t) {
             continue;
         if (context.mesh.vertices.id[a] > context.mesh.vertices.id[b])
             std::swap(a, b);
-        if (join.try_out(b, a) || join.try_out(a, b))
-            return true;
+        for (const auto& [gone, kept] : {std::pair(b, a), std::pair(a, b)})
+            if (join.allowed(gone, kept)) {
+                context.mesh.triangles.collapse(gone, kept, ring);
+                return true;
+            }
     }
     return false;
 }
 
-void join_all(const RefinementContext& context, std::span<const TriangleId> candidates) {
+namespace {
+
+struct Collapse {
+    VertexId gone, kept;
+};
+
+/// Makes the joins that are allowed, the shortest first. Returns how many.
+std::size_t join_edges(const RefinementContext& context, std::vector<Short> edges) {
     MovingMesh& mesh = context.mesh;
-    std::vector<TriangleId>& touched = mesh.triangles.touched();
-    std::vector<TriangleId> ring, due(candidates.begin(), candidates.end());
-    Join join(context, ring);
-    for (int round = 0; round < most_rounds; ++round) {
-        const std::size_t before = touched.size();
-        bool joined = false;
-        for (const Short& edge : short_edges(context, due)) {
-            if (context.stop.stop_requested())
-                return;
-            if (mesh.triangles.unused(edge.a) || mesh.triangles.unused(edge.b))
+    MaterialTriangles& triangles = mesh.triangles;
+    triangles.claims().make_room(mesh.vertices.slots());
+    const auto ask = [&](std::size_t i, std::vector<VertexId>& claimed) -> std::optional<Collapse> {
+        const auto [length, a, b, id_a, id_b] = edges[i];
+        if (triangles.unused(a) || triangles.unused(b) || context.stop.stop_requested())
+            return std::nullopt;
+        std::vector<TriangleId> ring;
+        Join join(context, ring);
+        for (const auto& [gone, kept] :
+             {std::pair(b, a), std::pair(a, b)}) { // the younger goes first
+            if (!join.allowed(gone, kept))
                 continue;
-            // The younger goes first.
-            joined = join.try_out(edge.b, edge.a) || join.try_out(edge.a, edge.b) || joined;
+            const auto claim = [&] {
+                for (const TriangleId t : ring)
+                    claimed.insert(claimed.end(), triangles[t].vertex.begin(),
+                                   triangles[t].vertex.end());
+            };
+            claim();
+            if (triangles.fan(kept, ring)) // its border may close
+                claim();
+            return Collapse{gone, kept};
         }
-        if (!joined)
+        return std::nullopt;
+    };
+    std::size_t joined = 0;
+    while (!edges.empty()) {
+        const auto round =
+            edit_round<Collapse>(edges.size(), triangles, ask, numbers_nothing, prepares_nothing,
+                                 [&](const Collapse& each, std::size_t, TriangleChanges& changes) {
+                                     std::vector<TriangleId> ring;
+                                     triangles.fan(each.gone, ring);
+                                     triangles.collapse(each.gone, each.kept, ring, changes);
+                                 });
+        joined += round.made.size();
+        edges = round.again(edges);
+    }
+    return joined;
+}
+
+} // namespace
+
+void join_all(const RefinementContext& context, std::span<const TriangleId> candidates) {
+    std::vector<TriangleId>& touched = context.mesh.triangles.touched();
+    std::vector<TriangleId> due(candidates.begin(), candidates.end());
+    for (int round = 0; round < most_rounds && !context.stop.stop_requested(); ++round) {
+        const std::size_t before = touched.size();
+        if (join_edges(context, short_edges(context, due)) == 0)
             break;
-        due.assign(touched.begin() + static_cast<std::ptrdiff_t>(before), touched.end());
-        std::sort(due.begin(), due.end());
-        due.erase(std::unique(due.begin(), due.end()), due.end());
+        due = distinct({touched.begin() + static_cast<std::ptrdiff_t>(before), touched.end()});
         std::vector<TriangleId> queue = due;
         flip_all(context, queue);
     }

@@ -5,6 +5,7 @@
 // Sets, 2009.
 #pragma once
 
+#include "core/surface/moving/claims.hpp"
 #include "core/surface/quad_complex.hpp"
 
 #include <array>
@@ -12,7 +13,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace wakesurf::core {
@@ -51,6 +52,20 @@ struct Triangle {
     VertexId opposite(unsigned k) const { return vertex[(k + 2) % 3]; }
 };
 
+/// The lists that edits leave, in no order; the counts are what they add.
+struct TriangleChanges {
+    /// Triangles that have been made or changed; among them dead ones, and some more than once.
+    std::vector<TriangleId> touched;
+    /// Triangles that have lost their other half, or never had one; dead ones among them.
+    std::vector<TriangleId> loose;
+    /// Vertices that no triangle has any more, or that hang on none any more; some may be used again.
+    std::vector<VertexId> left;
+    std::vector<TriangleId> free; ///< slots
+    std::ptrdiff_t odd = 0;       ///< triangles
+};
+
+/// Edits of several threads at the same time have no vertex in common, and changes of their own (see edit_round()):
+/// flip(), split(), collapse(), pair() and part().
 class MaterialTriangles {
   public:
     /// Returns all slots, free ones included: see `live`.
@@ -58,10 +73,10 @@ class MaterialTriangles {
 
     const Triangle& operator[](TriangleId t) const { return slots_[t]; }
 
-    std::size_t live() const { return slots_.size() - free_.size(); }
+    std::size_t live() const { return slots_.size() - changes_.free.size(); }
 
     /// Returns how many quads are handed out.
-    std::size_t quads() const { return (live() + odd_ + 1) / 2; }
+    std::size_t quads() const { return (live() + static_cast<std::size_t>(changes_.odd) + 1) / 2; }
 
     /// No triangle has the vertex.
     bool unused(VertexId v) const { return v >= uses_.size() || uses_[v] == 0; }
@@ -89,6 +104,12 @@ class MaterialTriangles {
     /// The triangle and edge from a to b; no_triangle where there is none. Cost: O(fan).
     Edge find(VertexId a, VertexId b) const;
 
+    /// From a to b, or else from b to a.
+    Edge find_either_way(VertexId a, VertexId b) const {
+        const Edge there = find(a, b);
+        return there.triangle != no_triangle ? there : find(b, a);
+    }
+
     /// Parts of the surface may touch at a vertex only. Nothing but append(), remove() and what they use may
     /// be used then.
     void allow_contacts() { contacts_ = true; }
@@ -98,21 +119,42 @@ class MaterialTriangles {
     /// contacts are allowed.
     void append(std::span<const std::array<VertexId, 4>> quads);
 
-    /// Adds triangles, counter-clockwise, that close a hole of the surface together.
+    /// Adds triangles, counter-clockwise, linked among themselves and to the boundary edges of what is there. They are the last
+    /// of touched() then.
     void fill(std::span<const std::array<VertexId, 3>> triangles);
 
-    /// Puts vertex m in the middle of an edge.
-    void split(TriangleId t, unsigned k, VertexId m);
+    /// Two empty slots for each of `count` edges to be split, with room for vertices up to the slot `vertices`.
+    std::vector<std::array<TriangleId, 2>> slots_to_split(std::size_t count, std::size_t vertices);
+
+    /// Puts vertex m in the middle of an edge. @param slots  of the triangles this makes
+    void split(TriangleId t,
+               unsigned k,
+               VertexId m,
+               const std::array<TriangleId, 2>& slots,
+               TriangleChanges& changes);
+
+    void split(TriangleId t, unsigned k, VertexId m) {
+        split(t, k, m, slots_to_split(1, std::size_t{m} + 1).front(), changes_);
+    }
 
     /// Turns an inner edge into the one between the vertices opposite to it. REQUIRES: no such edge.
-    void flip(TriangleId t, unsigned k);
+    void flip(TriangleId t, unsigned k, TriangleChanges& changes);
+
+    void flip(TriangleId t, unsigned k) { flip(t, k, changes_); }
 
     /// Returns true where taking `gone` into `kept`, its neighbour, leaves a surface: their common neighbours
     /// are those of their edge, and not two boundaries are joined. `ring` becomes the fan of `gone`.
     bool collapsible(VertexId gone, VertexId kept, std::vector<TriangleId>& ring) const;
 
     /// A hole of three edges, one of which goes, is closed. REQUIRES: collapsible(gone, kept, ring).
-    void collapse(VertexId gone, VertexId kept, std::span<const TriangleId> ring);
+    void collapse(VertexId gone,
+                  VertexId kept,
+                  std::span<const TriangleId> ring,
+                  TriangleChanges& changes);
+
+    void collapse(VertexId gone, VertexId kept, std::span<const TriangleId> ring) {
+        collapse(gone, kept, ring, changes_);
+    }
 
     /// Takes a triangle out, and what would be left hanging at one vertex.
     void tear(TriangleId t);
@@ -127,20 +169,27 @@ class MaterialTriangles {
     void leave_odd(TriangleId t, unsigned k, VertexId hanging, std::uint32_t quad);
 
     /// Takes the two halves of a quad apart, or the odd triangle's hanging vertex away.
-    void part(TriangleId t);
+    void part(TriangleId t, TriangleChanges& changes);
 
-    /// Triangles that have been made or changed since the list was last cleared; among them dead ones, and
-    /// some more than once.
-    std::vector<TriangleId>& touched() { return touched_; }
+    void part(TriangleId t) { part(t, changes_); }
 
-    /// Triangles that have lost their other half, or never had one, since the list was last cleared; dead
-    /// ones among them.
-    std::vector<TriangleId>& loose() { return loose_; }
+    /// Adds what edits have changed.
+    void add(const TriangleChanges& changes);
 
-    /// Vertices that no triangle has any more, or that hang on none any more, since the list was last cleared; some may be used again.
-    std::vector<VertexId>& left() { return left_; }
+    /// Of the lists of TriangleChanges, since they were last cleared.
+    std::vector<TriangleId>& touched() { return changes_.touched; }
 
-    std::uint32_t take_id() { return next_id_++; }
+    std::vector<TriangleId>& loose() { return changes_.loose; }
+
+    std::vector<VertexId>& left() { return changes_.left; }
+
+    /// Returns the first of `count` ids of quads.
+    std::uint32_t take_ids(std::size_t count) {
+        return std::exchange(next_id_, next_id_ + static_cast<std::uint32_t>(count));
+    }
+
+    /// Who is first to claim a vertex, or a triangle, in a round of edits. Nobody has between rounds.
+    Claims& claims() { return claims_; }
 
     std::uint32_t next_id() const { return next_id_; }
 
@@ -152,9 +201,11 @@ class MaterialTriangles {
     void renumber(std::span<const TriangleId> order, std::span<const VertexId> vertex_slot);
 
     std::size_t bytes() const {
-        return slots_.capacity() * sizeof(Triangle) + free_.capacity() * sizeof(TriangleId) +
-               of_.capacity() * sizeof(TriangleId) + uses_.capacity() * sizeof(std::uint16_t) +
-               (touched_.capacity() + loose_.capacity() + left_.capacity()) * sizeof(TriangleId);
+        return slots_.capacity() * sizeof(Triangle) + of_.capacity() * sizeof(TriangleId) +
+               uses_.capacity() * sizeof(std::uint16_t) + claims_.bytes() +
+               (changes_.touched.capacity() + changes_.loose.capacity() + changes_.left.capacity() +
+                changes_.free.capacity()) *
+                   sizeof(TriangleId);
     }
 
     /// Returns the first violation of what keeps the links sound, or nothing: those of neighbours answer each
@@ -162,26 +213,28 @@ class MaterialTriangles {
     std::string violation() const;
 
   private:
-    /// By directed edge. Never iterated: its order decides nothing.
-    using OpenEdges = std::unordered_map<std::uint64_t, TriangleId>;
+    /// A directed edge, and a triangle that has it.
+    struct OpenEdge {
+        VertexId from, to;
+        TriangleId triangle;
+    };
 
+    TriangleId empty_slot();
+    void make_room(std::size_t vertices);
+    void make(TriangleId t, const std::array<VertexId, 3>& vertices, TriangleChanges& changes);
     TriangleId add(VertexId a, VertexId b, VertexId c);
-    void add_open(VertexId v, OpenEdges& open) const;
-    void link(std::span<const TriangleId> made, OpenEdges& open);
-    void relink(TriangleId t, TriangleId from, TriangleId to);
-    void change(TriangleId t);
-    void zip(VertexId v);
+    void add_open(VertexId v, std::vector<OpenEdge>& open) const;
+    void relink(TriangleId t, VertexId begin, TriangleId to);
+    void change(TriangleId t, TriangleChanges& changes);
+    void zip(VertexId v, TriangleChanges& changes);
     VertexId beyond_boundary(VertexId v, std::span<const TriangleId> ring, VertexId other) const;
     bool one_fan(VertexId v) const;
 
     std::vector<Triangle> slots_;
-    std::vector<TriangleId> free_;
     std::vector<TriangleId> of_;      ///< of vertex slots: one triangle
     std::vector<std::uint16_t> uses_; ///< of vertex slots: by triangles
-    std::vector<TriangleId> touched_;
-    std::vector<TriangleId> loose_;
-    std::vector<VertexId> left_;
-    std::size_t odd_ = 0;
+    TriangleChanges changes_;
+    Claims claims_;
     bool contacts_ = false;
     std::uint32_t next_id_ = 0;
 };

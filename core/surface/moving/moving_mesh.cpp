@@ -1,5 +1,9 @@
 #include "core/surface/moving/moving_mesh.hpp"
 
+#include "core/base/for_each_index.hpp"
+
+#include <algorithm>
+
 namespace wakesurf::core {
 
 namespace {
@@ -27,27 +31,37 @@ void for_each_array(MaterialVertices& v, Visit visit) {
 } // namespace
 
 VertexId MaterialVertices::add(const MaterialPoint& point, VertexRole as, double now) {
-    VertexId v;
-    if (free_.empty()) {
-        v = static_cast<VertexId>(slots());
+    const VertexId v = take_slots(1).front();
+    begin(v, point, as, now);
+    return v;
+}
+
+std::vector<VertexId> MaterialVertices::take_slots(std::size_t count) {
+    const std::size_t reused = std::min(count, free_.size());
+    std::vector<VertexId> taken(free_.rbegin(),
+                                free_.rbegin() + static_cast<std::ptrdiff_t>(reused));
+    free_.resize(free_.size() - reused);
+    for (; taken.size() < count; taken.push_back(static_cast<VertexId>(slots() - 1))) {
         // The vectors grow by an eighth at a time: doubling would hold twice what the surface needs.
         if (slots() == role.capacity())
             for_each_array(*this, [&](auto& array) { array.reserve(slots() + slots() / 8 + 256); });
         for_each_array(*this, [](auto& array) { array.emplace_back(); });
-    } else {
-        v = free_.back();
-        free_.pop_back();
     }
+    for (const VertexId v : taken) {
+        id[v] = next_id_++;
+        role[v] = VertexRole::Free;
+    }
+    fresh_.insert(fresh_.end(), taken.begin(), taken.end());
+    return taken;
+}
+
+void MaterialVertices::begin(VertexId v, const MaterialPoint& point, VertexRole as, double now) {
     set(v, point);
     time[v] = now;
     velocity[v] = Vec3f(0.0f);
     cell[v] = no_cell;
     end[v] = as == VertexRole::Attached ? CurveEnd::Time : CurveEnd::Running;
-    id[v] = next_id_++;
     role[v] = as;
-    if (as == VertexRole::Free)
-        fresh_.push_back(v);
-    return v;
 }
 
 void MaterialVertices::remove(VertexId v) {
@@ -87,8 +101,8 @@ void MaterialVertices::renumber(std::span<const VertexId> order) {
     for_each_array(*this, [&](auto& array) {
         std::remove_reference_t<decltype(array)> sorted;
         sorted.reserve(order.size() + order.size() / 8);
-        for (const VertexId old : order)
-            sorted.push_back(array[old]);
+        sorted.resize(order.size());
+        for_each_index(order.size(), [&](std::size_t i) { sorted[i] = array[order[i]]; });
         array = std::move(sorted);
     });
     free_.clear();

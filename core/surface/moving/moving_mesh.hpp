@@ -73,6 +73,12 @@ class MaterialVertices {
     /// Puts a vertex into an empty slot. @param time simulation time it holds at
     VertexId add(const MaterialPoint& point, VertexRole role, double time);
 
+    /// Empty slots and ids for so many vertices, each to be filled by begin().
+    std::vector<VertexId> take_slots(std::size_t count);
+
+    /// Fills a slot that was taken; several threads may, of different slots.
+    void begin(VertexId v, const MaterialPoint& point, VertexRole role, double time);
+
     void remove(VertexId v);
 
     std::size_t slots() const { return role.size(); }

@@ -1,11 +1,16 @@
 #include "core/surface/moving/pairing.hpp"
 
 #include "core/base/for_each_index.hpp"
+#include "core/base/radix_sort.hpp"
+#include "core/surface/moving/edit_round.hpp"
 #include "core/surface/moving/triangle_shape.hpp"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <bit>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -17,9 +22,48 @@ namespace {
 constexpr float poor = 0.295f; ///< sine of the smallest or largest corner: 17 degrees
 /// Sines that the quads along an alternating path must have, tried in turn.
 constexpr std::array<float, 3> least_on_path{0.4f, 0.0f, -2.0f};
-constexpr std::size_t longest_search = 32; ///< triangles
 constexpr int swap_rounds = 4;
 constexpr std::size_t scores_kept = 1 << 14; ///< a power of two
+
+/// The triangles that a search has come to, in order, each from one before.
+class Reached {
+  public:
+    static constexpr std::size_t most = 64;
+
+    struct Step {
+        TriangleId triangle;
+        std::uint32_t before; ///< its place
+    };
+
+    Reached() { place_.fill(nowhere); }
+
+    std::size_t size() const { return size_; }
+
+    const Step& operator[](std::size_t place) const { return steps_[place]; }
+
+    bool has(TriangleId t) const { return place_[bucket(t)] != nowhere; }
+
+    /// REQUIRES: !has(t), and size() < most.
+    void add(TriangleId t, std::uint32_t before) {
+        place_[bucket(t)] = static_cast<std::uint8_t>(size_);
+        steps_[size_++] = {t, before};
+    }
+
+  private:
+    static constexpr std::uint8_t nowhere = 255;
+
+    /// That of the triangle, or where it would be put.
+    std::size_t bucket(TriangleId t) const {
+        std::size_t here = (t * 0x9e3779b1u) >> 25;
+        while (place_[here] != nowhere && steps_[place_[here]].triangle != t)
+            here = (here + 1) % place_.size();
+        return here;
+    }
+
+    std::array<Step, most> steps_;
+    std::array<std::uint8_t, 128> place_; ///< of its hash
+    std::size_t size_ = 0;
+};
 
 class Pairing {
   public:
@@ -28,22 +72,23 @@ class Pairing {
           per_separation_(1.0 / context.rules.separation) {}
 
     /// Remembers scores while nothing moves: most quads are evaluated several times.
-    void remember_scores() { known_.assign(scores_kept, {}); }
+    void remember_scores() { known_.assign(scores_kept, unknown); }
 
-    /// Returns the remembered score(). REQUIRES: remember_scores().
+    /// Returns the remembered score(). From several threads at the same time. REQUIRES: remember_scores().
     float known_score(TriangleId t, unsigned k) {
-        const TriangleId u = triangles_[t].across[k];
-        const std::uint64_t name = name_of(t, u);
-        Known& known = known_[place_of(name)];
-        if (known.name != name)
-            known = {name, t < u ? score(t, k) : score(u, triangles_.facing(t, k))};
-        return known.score;
-    }
-
-    /// Prepares the search for paths, which needs it.
-    void remember_searches() {
-        searched_.assign(triangles_.slots().size(), 0);
-        from_.resize(triangles_.slots().size());
+        if (const TriangleId u = triangles_[t].across[k]; u < t) { // an edge has one name
+            k = triangles_.facing(t, k);
+            t = u;
+        }
+        const std::uint32_t name = 3 * t + k;
+        const std::atomic_ref known(known_[(name ^ name >> 11) % scores_kept]);
+        const std::uint64_t found = known.load(std::memory_order_relaxed);
+        if (found >> 32 == name)
+            return std::bit_cast<float>(static_cast<std::uint32_t>(found));
+        const float its = score(t, k);
+        known.store(std::uint64_t{name} << 32 | std::bit_cast<std::uint32_t>(its),
+                    std::memory_order_relaxed);
+        return its;
     }
 
     /// Least sine of the corners of the quad across edge k, or cosine of the bend there if that is less;
@@ -106,8 +151,6 @@ class Pairing {
         return triangles_[t].live && triangles_[t].mate == Triangle::alone;
     }
 
-    void pair(TriangleId t, unsigned k) { triangles_.pair(t, k, triangles_.take_id()); }
-
     /// Pairs the triangles of edges that must not be visible, whatever their present partners.
     void pair_forced(std::span<const TriangleId> loose) {
         for (const TriangleId t : loose)
@@ -116,7 +159,7 @@ class Pairing {
                 if (u == no_triangle || !too_long(t, k))
                     continue;
                 triangles_.part(u);
-                pair(t, k);
+                triangles_.pair(t, k, triangles_.take_ids(1));
             }
     }
 
@@ -132,89 +175,127 @@ class Pairing {
             for (unsigned k = 0; k < 3; ++k)
                 if (const TriangleId u = triangles_[t].across[k];
                     u != no_triangle && t < u && is_free(t) && is_free(u))
-                    found.push_back({score(t, k), t, k});
+                    if (const float its = known_score(t, k); its >= poor)
+                        found.push_back({its, t, k});
         };
         auto candidates = gather<Candidate>(loose.size(), add, few_triangles);
-        for (const Candidate& each : candidates) {
-            const std::uint64_t name = name_of(each.t, triangles_[each.t].across[each.k]);
-            known_[place_of(name)] = {name, each.score};
+        tbb::parallel_sort(
+            candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+                return std::tuple(-a.score, a.t, a.k) < std::tuple(-b.score, b.t, b.k);
+            });
+        while (!candidates.empty()) {
+            const auto round = pairing_round(
+                candidates.size(),
+                [&](std::size_t i, std::vector<TriangleId>& claimed) -> std::optional<Pairs> {
+                    const auto [its, t, k] = candidates[i];
+                    const TriangleId u = triangles_[t].across[k];
+                    if (!is_free(t) || !is_free(u))
+                        return std::nullopt;
+                    claimed.insert(claimed.end(), {t, u});
+                    return Pairs{{}, {{t, k}}};
+                });
+            candidates = round.again(candidates);
         }
-        std::erase_if(candidates, [](const Candidate& each) { return !(each.score >= poor); });
-        std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-            return std::tuple(-a.score, a.t, a.k) < std::tuple(-b.score, b.t, b.k);
-        });
-        for (const Candidate& best : candidates)
-            if (is_free(best.t) && is_free(triangles_[best.t].across[best.k]))
-                pair(best.t, best.k);
     }
 
-    /// Another half for `start` by taking apart every other pair on the way to a triangle that has none
-    /// either.
-    bool pair_along_path(TriangleId start, float least) {
-        ++search_;
-        std::vector<TriangleId> queue{start};
-        come_from(start, no_triangle);
-        for (std::size_t i = 0; i < queue.size() && queue.size() < longest_search; ++i) {
-            const TriangleId t = queue[i]; // an even number of steps from the start
-            for (unsigned k = 0; k < 3; ++k) {
-                const TriangleId u = triangles_[t].across[k];
-                if (u == no_triangle || seen(u) || known_score(t, k) < least)
-                    continue;
-                if (is_free(u) || triangles_[u].odd()) {
-                    triangles_.part(u);
-                    follow_back(t, u);
-                    return true;
-                }
-                const TriangleId next = triangles_[u].across[triangles_[u].mate];
-                if (is_forced(u) || seen(next))
-                    continue;
-                come_from(u, t);
-                come_from(next, u);
-                queue.push_back(next);
-            }
-        }
-        return false;
+    /// Gives triangles another half each by taking apart every other pair on the way to a triangle that has none
+    /// either. Returns those that have still none.
+    std::vector<TriangleId> pair_along_paths(std::vector<TriangleId> loose, float least) {
+        for (std::vector<TriangleId> pending = loose; !pending.empty();)
+            pending =
+                pairing_round(pending.size(), [&](std::size_t i, std::vector<TriangleId>& claimed) {
+                    return path_from(pending[i], least, claimed);
+                }).again(pending);
+        return still_free(loose);
     }
 
     /// Two pairs beside each other become two others where that is better for both together.
     void swap_pairs(std::span<const TriangleId> around) {
-        for (int round = 0; round < swap_rounds; ++round) {
-            bool any = false;
-            for (const TriangleId t : around)
-                for (unsigned k = 0; k < 3 && swappable(t); ++k)
-                    any = swap(t, k) || any;
-            if (!any)
-                return;
+        std::vector<TriangleId> asked(around.begin(), around.end());
+        for (int round = 0; round < swap_rounds && !asked.empty(); ++round) {
+            const auto swapped =
+                pairing_round(asked.size(), [&](std::size_t i, std::vector<TriangleId>& claimed) {
+                    return swap_at(asked[i], claimed);
+                });
+            std::vector<TriangleId> next = swapped.again(asked);
+            // What lies beside the new pairs may be worth more with them now.
+            for (const Pairs& each : swapped.made)
+                for (const auto& [t, k] : each.paired)
+                    next.insert(next.end(), {t, triangles_[t].across[k]});
+            asked = distinct(std::move(next));
         }
+    }
+
+    std::vector<TriangleId> still_free(std::span<const TriangleId> from) const {
+        std::vector<TriangleId> found;
+        for (const TriangleId t : from)
+            if (is_free(t))
+                found.push_back(t);
+        return distinct(std::move(found));
     }
 
   private:
-    static std::uint64_t name_of(TriangleId t, TriangleId u) {
-        return std::uint64_t{std::min(t, u)} << 32 | std::max(t, u);
+    /// What is taken apart, and then paired across an edge. Only triangles of these pairs change.
+    struct Pairs {
+        std::vector<TriangleId> parted;
+        std::vector<MaterialTriangles::Edge> paired;
+    };
+
+    /// Claims are of triangles.
+    template <class Ask>
+    EditRound<Pairs> pairing_round(std::size_t count, const Ask& ask) {
+        std::uint32_t first = 0;
+        triangles_.claims().make_room(triangles_.slots().size());
+        return edit_round<Pairs>(
+            context_.stop.stop_requested() ? 0 : count, triangles_, ask,
+            [](const Pairs& pairs) { return pairs.paired.size(); },
+            [&](std::size_t ids) { first = triangles_.take_ids(ids); },
+            [&](const Pairs& pairs, std::size_t number, TriangleChanges& changes) {
+                for (const TriangleId t : pairs.parted)
+                    triangles_.part(t, changes);
+                for (const auto& [t, k] : pairs.paired)
+                    triangles_.pair(t, k, first + static_cast<std::uint32_t>(number++));
+            });
     }
 
-    static std::size_t place_of(std::uint64_t name) {
-        return (name ^ name >> 23) & (scores_kept - 1);
-    }
+    /// Searches nearest pairs first.
+    std::optional<Pairs>
+    path_from(TriangleId start, float least, std::vector<TriangleId>& claimed) {
+        if (!is_free(start))
+            return std::nullopt;
 
-    bool seen(TriangleId t) const { return searched_[t] == search_; }
-
-    void come_from(TriangleId t, TriangleId before) {
-        searched_[t] = search_;
-        from_[t] = before;
-    }
-
-    void follow_back(TriangleId t, TriangleId u) {
-        for (;;) {
-            const TriangleId before = from_[t];
-            if (before != no_triangle)
-                triangles_.part(t); // from `before`, which is next
-            pair(t, edge_to(t, u));
-            if (before == no_triangle)
-                return;
-            u = before;
-            t = from_[before];
+        Reached reached; // at its even places what is steps from the start in pairs
+        reached.add(start, 0);
+        for (std::uint32_t i = 0; i < reached.size() && reached.size() + 6 <= Reached::most;
+             i += 2) {
+            const TriangleId t = reached[i].triangle;
+            for (unsigned k = 0; k < 3; ++k) {
+                const TriangleId u = triangles_[t].across[k];
+                if (u == no_triangle || reached.has(u) || known_score(t, k) < least)
+                    continue;
+                const bool ends = is_free(u) || triangles_[u].odd();
+                const TriangleId next = ends ? u : triangles_[u].across[triangles_[u].mate];
+                if (!ends && (is_forced(u) || reached.has(next)))
+                    continue;
+                reached.add(u, i);
+                if (!ends) {
+                    reached.add(next, static_cast<std::uint32_t>(reached.size() - 1));
+                    continue;
+                }
+                Pairs path;
+                for (std::uint32_t at = static_cast<std::uint32_t>(reached.size() - 1);;) {
+                    const std::uint32_t before = reached[at].before;
+                    const TriangleId from = reached[before].triangle;
+                    path.parted.push_back(reached[at].triangle);
+                    path.paired.push_back({from, edge_to(from, reached[at].triangle)});
+                    claimed.insert(claimed.end(), {from, reached[at].triangle});
+                    if (before == 0)
+                        return path;
+                    at = reached[before].before;
+                }
+            }
         }
+        return std::nullopt;
     }
 
     unsigned edge_to(TriangleId t, TriangleId u) const {
@@ -231,26 +312,26 @@ class Pairing {
         return triangles_[t].live && triangles_[t].paired() && !is_forced(t);
     }
 
-    bool swap(TriangleId t, unsigned k) {
-        const TriangleId u = triangles_[t].across[triangles_[t].mate];
-        const TriangleId v = triangles_[t].across[k];
-        if (v == no_triangle || v == u || !swappable(v))
-            return false;
-        const TriangleId w = triangles_[v].across[triangles_[v].mate];
-        if (!beside(u, w) || w == t)
-            return false;
-        const unsigned j = edge_to(u, w);
+    std::optional<Pairs> swap_at(TriangleId t, std::vector<TriangleId>& claimed) {
         const auto worth = [&](TriangleId x, unsigned edge) {
             return std::sqrt(std::max(known_score(x, edge), 0.0f));
         };
-        if (!(worth(t, k) + worth(u, j) >
-              worth(t, triangles_[t].mate) + worth(v, triangles_[v].mate) + 1e-4f))
-            return false;
-        triangles_.part(t);
-        triangles_.part(v);
-        pair(t, k);
-        pair(u, j);
-        return true;
+        for (unsigned k = 0; k < 3 && swappable(t); ++k) {
+            const TriangleId u = triangles_[t].across[triangles_[t].mate];
+            const TriangleId v = triangles_[t].across[k];
+            if (v == no_triangle || v == u || !swappable(v))
+                continue;
+            const TriangleId w = triangles_[v].across[triangles_[v].mate];
+            if (!beside(u, w) || w == t)
+                continue;
+            const unsigned j = edge_to(u, w);
+            if (!(worth(t, k) + worth(u, j) >
+                  worth(t, triangles_[t].mate) + worth(v, triangles_[v].mate) + 1e-4f))
+                continue;
+            claimed.insert(claimed.end(), {t, u, v, w});
+            return Pairs{{t, v}, {{t, k}, {u, j}}};
+        }
+        return std::nullopt;
     }
 
     const RefinementContext& context_;
@@ -258,19 +339,13 @@ class Pairing {
     MaterialTriangles& triangles_;
     double per_separation_;
 
-    struct Known {
-        std::uint64_t name = ~std::uint64_t{0}; ///< of both triangles
-        float score = 0.0f;
-    };
+    static constexpr std::uint64_t unknown = ~std::uint64_t{0};
 
-    std::vector<Known> known_;
-    std::uint32_t search_ = 0;
-    std::vector<std::uint32_t> searched_; ///< by which search a triangle was last come to
-    std::vector<TriangleId> from_;        ///< and from which triangle
+    std::vector<std::uint64_t> known_; ///< the edge's name, and its score
 };
 
-/// Returns its longest edge that is not the rake's, of those whose middle is in the fluid if there is one: a
-/// middle that is only drawn must not be in a body that the edge goes along.
+} // namespace
+
 unsigned side_to_halve(const RefinementContext& context, TriangleId t) {
     const MovingMesh& mesh = context.mesh;
     const Triangle& here = mesh.triangles[t];
@@ -292,8 +367,6 @@ unsigned side_to_halve(const RefinementContext& context, TriangleId t) {
     return best;
 }
 
-} // namespace
-
 bool is_poor_pair(const RefinementContext& context, TriangleId t) {
     const MovingMesh& mesh = context.mesh;
     const Triangle& here = mesh.triangles[t];
@@ -312,47 +385,25 @@ bool is_poor_pair(const RefinementContext& context, TriangleId t) {
            far(here.end(here.mate));
 }
 
-void pair_all(const RefinementContext& context,
-              std::span<const TriangleId> loose,
-              const std::function<VertexId(TriangleId t, unsigned k)>& insert) {
+std::vector<TriangleId> pair_all(const RefinementContext& context,
+                                 std::span<const TriangleId> loose) {
     MaterialTriangles& triangles = context.mesh.triangles;
     Pairing pairing(context);
-    const auto still_free = [&](std::span<const TriangleId> from) {
-        std::vector<TriangleId> found;
-        for (const TriangleId t : from)
-            if (pairing.is_free(t))
-                found.push_back(t);
-        std::sort(found.begin(), found.end());
-        found.erase(std::unique(found.begin(), found.end()), found.end());
-        return found;
-    };
-    const std::vector<TriangleId> all = still_free(loose);
+    const std::vector<TriangleId> all = pairing.still_free(loose);
     triangles.loose().clear();
     pairing.remember_scores();
     pairing.pair_forced(all);
     // A triangle whose pair was broken up needs another half as well.
     std::vector<TriangleId> rest = all;
     rest.insert(rest.end(), triangles.loose().begin(), triangles.loose().end());
-    rest = still_free(rest);
+    rest = pairing.still_free(rest);
     pairing.pair_best(rest);
-    rest = still_free(rest);
-    if (!rest.empty())
-        pairing.remember_searches();
-    for (const float least : least_on_path) {
-        for (const TriangleId t : rest)
-            if (pairing.is_free(t) && !context.stop.stop_requested())
-                pairing.pair_along_path(t, least);
-        rest = still_free(rest);
-    }
+    rest = pairing.still_free(rest);
+    for (const float least : least_on_path)
+        rest = pairing.pair_along_paths(std::move(rest), least);
     pairing.swap_pairs(all);
-    std::vector<VertexId>& fresh = context.mesh.vertices.fresh();
-    const std::size_t used = fresh.size();
-    for (const TriangleId t : rest) {
-        const unsigned k = side_to_halve(context, t);
-        triangles.leave_odd(t, k, insert(t, k), triangles.take_id());
-    }
-    fresh.resize(used); // the others hang on a triangle each
     triangles.loose().clear();
+    return rest;
 }
 
 } // namespace wakesurf::core

@@ -5,8 +5,8 @@
 
 #include "core/surface/moving/refinement_context.hpp"
 
-#include <functional>
 #include <span>
+#include <vector>
 
 namespace wakesurf::core {
 
@@ -17,10 +17,14 @@ bool is_poor_pair(const RefinementContext& context, TriangleId t);
 
 /// Gives each of `loose`, the triangles without another half, one: across its edge that is too long to be
 /// visible, if it has one; else so that corners are near right angles, along alternating paths if none is
-/// left beside it. The remaining ones become odd: a quad with a corner in the middle of its longest side,
-/// which `insert` makes. Cost: O(loose), a few hundred triangles visited for each odd one.
-void pair_all(const RefinementContext& context,
-              std::span<const TriangleId> loose,
-              const std::function<VertexId(TriangleId t, unsigned k)>& insert);
+/// left beside it. Returns those that remain without. Cost: O(loose), a few hundred triangles visited for each of
+/// these, in parallel; the same result for any number of threads.
+std::vector<TriangleId> pair_all(const RefinementContext& context,
+                                 std::span<const TriangleId> loose);
+
+/// Returns the edge in whose middle a triangle without another half gets a fourth corner: its longest that is not the
+/// rake's, of those whose middle is in the fluid if there is one. A middle that is only drawn must not be in a body that
+/// the edge goes along.
+unsigned side_to_halve(const RefinementContext& context, TriangleId t);
 
 } // namespace wakesurf::core

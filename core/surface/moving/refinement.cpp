@@ -4,6 +4,7 @@
 #include "core/base/radix_sort.hpp"
 #include "core/surface/moving/clipping.hpp"
 #include "core/surface/moving/edge_changes.hpp"
+#include "core/surface/moving/edit_round.hpp"
 #include "core/surface/moving/holes.hpp"
 #include "core/surface/moving/insertion.hpp"
 #include "core/surface/moving/joins.hpp"
@@ -25,22 +26,18 @@ constexpr int most_cut_passes = 40;
 constexpr int shape_passes = 3;
 constexpr double coarsening = 1.1;
 constexpr double beside_middle = 0.49;
-constexpr std::size_t few_to_sort = 512; ///< for a radix sort, which clears its buckets
-
-std::vector<TriangleId> distinct(std::vector<TriangleId> triangles) {
-    if (triangles.size() < few_to_sort)
-        std::sort(triangles.begin(), triangles.end());
-    else
-        radix_sort(triangles, [](TriangleId t) { return t; });
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
-    return triangles;
-}
 
 /// The list, which is empty afterwards; each once, in order.
 std::vector<TriangleId> take(std::vector<TriangleId>& list) {
     std::vector<TriangleId> taken;
     taken.swap(list);
     return distinct(std::move(taken));
+}
+
+/// Says whether an edge has triangles beside it that cannot be cut any further.
+bool is_hopeless(const RefinementContext& here, TriangleId t, unsigned k) {
+    const TriangleId u = here.mesh.triangles[t].across[k];
+    return is_torn(here, t, k) || is_crumb(here, t) || (u != no_triangle && is_crumb(here, u));
 }
 
 } // namespace
@@ -76,7 +73,9 @@ void Refinement::trace_with_ends(MovingMesh& mesh, VertexId made, VertexId a, Ve
         }
 }
 
-VertexId Refinement::insert(MovingMesh& mesh, TriangleId t, unsigned k, double part) {
+/// Fills the slot of a vertex that was taken for an edge.
+void Refinement::begin_on_edge(
+    MovingMesh& mesh, VertexId made, TriangleId t, unsigned k, double part) const {
     const VertexId a = mesh.triangles[t].begin(k), b = mesh.triangles[t].end(k);
     MaterialVertices& vertices = mesh.vertices;
     MaterialPoint point = point_on_edge(mesh, t, k, part);
@@ -87,73 +86,75 @@ VertexId Refinement::insert(MovingMesh& mesh, TriangleId t, unsigned k, double p
         point.approximated = false;
         point.error = {};
     }
-    return vertices.add(point, attached ? VertexRole::Attached : VertexRole::Free, mesh.time);
+    vertices.begin(made, point, attached ? VertexRole::Attached : VertexRole::Free, mesh.time);
 }
 
 /// Pairs what has no other half. Odd triangles are handed out with a vertex in the middle of an edge.
 Result<void> Refinement::pair(MovingMesh& mesh) {
     MaterialTriangles& triangles = mesh.triangles;
+    const RefinementContext here = context(mesh);
+    const std::vector<TriangleId> odd = pair_all(here, triangles.loose());
 
     struct Hanging {
         VertexId vertex, a, b;
+        unsigned k;
+        bool traced;
     };
 
-    std::vector<Hanging> made;
-    const std::vector<TriangleId> loose = triangles.loose();
-    pair_all(context(mesh), loose, [&](TriangleId t, unsigned k) {
-        const VertexId a = triangles[t].begin(k), b = triangles[t].end(k);
-        made.push_back({insert(mesh, t, k, 0.5), a, b});
-        if (wants_trace(mesh, made.back().vertex))
-            to_retrace_.push_back(made.back().vertex);
-        return made.back().vertex;
-    });
+    std::vector<Hanging> made(odd.size());
+    const std::size_t fresh = mesh.vertices.fresh().size();
+    const std::vector<VertexId> slots = mesh.vertices.take_slots(odd.size());
+    mesh.vertices.fresh().resize(fresh); // they hang on a triangle each
+    for_each_index(
+        odd.size(),
+        [&](std::size_t i) {
+            const unsigned k = side_to_halve(here, odd[i]);
+            const Triangle& t = triangles[odd[i]];
+            begin_on_edge(mesh, slots[i], odd[i], k, 0.5);
+            made[i] = {slots[i], t.begin(k), t.end(k), k, wants_trace(mesh, slots[i])};
+        },
+        few_triangles);
+    for (std::size_t i = 0; i < odd.size(); ++i) {
+        triangles.leave_odd(odd[i], made[i].k, slots[i], triangles.take_ids(1));
+        if (made[i].traced)
+            to_retrace_.push_back(slots[i]);
+    }
     if (auto traced = trace_again(mesh); !traced)
         return traced;
     // Where its own particle has gone elsewhere it is only drawn: on the edge.
-    MaterialVertices& v = mesh.vertices;
-    for (const auto& [m, a, b] : made) {
+    for_each_index(made.size(), [&](std::size_t i) {
+        MaterialVertices& v = mesh.vertices;
+        const auto& [m, a, b, k, traced] = made[i];
         const double far = std::max(squared_length(mesh, m, a), squared_length(mesh, m, b));
-        if (v.end[m] == CurveEnd::Running && far <= context(mesh).longest_allowed())
-            continue;
+        if (v.end[m] == CurveEnd::Running && far <= here.longest_allowed())
+            return;
         v.position[m] = 0.5 * (v.position[a] + v.position[b]);
         v.end[m] = CurveEnd::Running;
         v.time[m] = mesh.time;
         v.approximated[m] = 1;
         v.error[m].placed.add(v.tangents(m), mesh.edge_length(a, b));
         v.error[m].apart.add(v.tangents(m), mesh.edge_length(a, b));
-    }
+    });
     triangles.touched().clear();
     return {};
 }
 
-/// Cuts an edge, or tears the surface where it cannot be followed.
-void Refinement::cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must) {
-    const RefinementContext here = context(mesh);
-    const TriangleId u = mesh.triangles[t].across[k];
+/// Joins what is beside a hopeless edge, or tears the surface there: it cannot be followed.
+void Refinement::tear(const RefinementContext& here, TriangleId t, unsigned k) {
+    MaterialTriangles& triangles = here.mesh.triangles;
+    const TriangleId u = triangles[t].across[k];
     const bool torn = is_torn(here, t, k);
     const bool crumb_t = is_crumb(here, t), crumb_u = u != no_triangle && is_crumb(here, u);
-    if (torn || crumb_t || crumb_u) {
-        if (!must || (crumb_t && join_needle(here, t)) || (crumb_u && join_needle(here, u)))
-            return;
-        const std::size_t before = mesh.triangles.live();
-        if (torn || crumb_t)
-            mesh.triangles.tear(t);
-        if ((torn || crumb_u) && u != no_triangle && mesh.triangles[u].live)
-            mesh.triangles.tear(u);
-        unresolved_ += (before - mesh.triangles.live() + 1) / 2;
+    if (!torn && !crumb_t && !crumb_u) // any more
         return;
-    }
-    const VertexId a = mesh.triangles[t].begin(k), b = mesh.triangles[t].end(k);
-    // An edge that has been torn may have been cut in its middle: two vertices at one place would be a crack.
-    const bool tear = u == no_triangle && !on_rectangle_border(mesh, a, b);
-    const VertexId made = insert(mesh, t, k, tear ? beside_middle : 0.5);
-    mesh.triangles.split(t, k, made);
-    if (wants_trace(mesh, made))
-        trace_with_ends(mesh, made, a, b);
-    else if (const PointStatus status = flow_.status(mesh.vertices.position[made]);
-             status != PointStatus::Inside)
-        mesh.vertices.end[made] =
-            status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
+    if ((crumb_t && join_needle(here, t)) || (crumb_u && join_needle(here, u)))
+        return;
+    const std::size_t before = triangles.live();
+    if (torn || crumb_t)
+        triangles.tear(t);
+    if ((torn || crumb_u) && u != no_triangle && triangles[u].live)
+        triangles.tear(u);
+    unresolved_ += (before - triangles.live() + 1) / 2;
 }
 
 /// Closes holes among living particles: they are not torn then.
@@ -169,13 +170,18 @@ Result<void> Refinement::clip_at_the_dead(MovingMesh& mesh,
     std::vector<EdgeCrossing> crossings = edges_to_the_dead(here, candidates);
     if (auto found = find_crossings(here, crossings, before_, trace_, stop_); !found)
         return found;
-    std::vector<VertexId> made;
-    clip(here, candidates, crossings, [&](const EdgeCrossing& crossing) {
-        const MaterialPoint point = point_between(mesh, crossing.living, crossing.dead,
-                                                  crossing.part, crossing.carried, crossing.edge);
-        made.push_back(mesh.vertices.add(point, VertexRole::Free, mesh.time));
-        return made.back();
-    });
+    std::erase_if(crossings, [](const EdgeCrossing& crossing) { return !crossing.found; });
+    const std::vector<VertexId> made = mesh.vertices.take_slots(crossings.size());
+    for_each_index(
+        made.size(),
+        [&](std::size_t i) {
+            const EdgeCrossing& at = crossings[i];
+            const MaterialPoint point =
+                point_between(mesh, at.living, at.dead, at.part, at.carried, at.edge);
+            mesh.vertices.begin(made[i], point, VertexRole::Free, mesh.time);
+        },
+        few_triangles);
+    clip(here, candidates, crossings, made);
     if (rules_.policy != InsertionPolicy::Exact)
         return {};
     // Its particle ends about now: only the place counts. One that has ended long ago, elsewhere, is not the
@@ -198,17 +204,68 @@ Result<void> Refinement::clip_at_the_dead(MovingMesh& mesh,
 
 /// Cuts among `candidates`.
 void Refinement::cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidates, bool shape) {
+    struct Cut {
+        TriangleId t;
+        unsigned k;
+        VertexId a, b;
+    };
+
     const RefinementContext here = context(mesh);
-    for (const WantedCut& edge : wanted_cuts(here, candidates, shape)) {
-        if (stop_.stop_requested())
-            return;
-        // An edge that was cut, or turned away, meanwhile is left to the next pass.
-        auto there = mesh.triangles.find(edge.a, edge.b);
-        if (there.triangle == no_triangle)
-            there = mesh.triangles.find(edge.b, edge.a);
-        if (there.triangle == no_triangle)
-            continue;
-        cut(mesh, there.triangle, there.k, edge.must);
+    MaterialTriangles& triangles = mesh.triangles;
+    std::vector<WantedCut> wanted = wanted_cuts(here, candidates, shape);
+    const auto hopeless = gather<WantedCut>(
+        wanted.size(),
+        [&](std::size_t i, std::vector<WantedCut>& found) {
+            const auto [t, k] = triangles.find_either_way(wanted[i].a, wanted[i].b);
+            if (wanted[i].must && is_hopeless(here, t, k))
+                found.push_back(wanted[i]);
+        },
+        few_triangles);
+    // First, while what lies beside them can still be joined.
+    for (const WantedCut& edge : hopeless)
+        if (const auto [t, k] = triangles.find_either_way(edge.a, edge.b); t != no_triangle)
+            tear(here, t, k);
+    const auto ask = [&](std::size_t i, std::vector<VertexId>& claimed) -> std::optional<Cut> {
+        // An edge that was turned away meanwhile, or has become hopeless, is left to the next pass.
+        const auto [t, k] = triangles.find_either_way(wanted[i].a, wanted[i].b);
+        if (t == no_triangle || is_hopeless(here, t, k))
+            return std::nullopt;
+        const Triangle& at = triangles[t];
+        claimed.insert(claimed.end(), at.vertex.begin(), at.vertex.end());
+        if (at.across[k] != no_triangle)
+            claimed.push_back(triangles.opposite_beyond(t, k));
+        return Cut{t, k, at.begin(k), at.end(k)};
+    };
+    while (!wanted.empty() && !stop_.stop_requested()) {
+        std::vector<VertexId> made;
+        std::vector<std::array<TriangleId, 2>> slots;
+        std::vector<std::uint8_t> far;
+        triangles.claims().make_room(mesh.vertices.slots());
+        const auto round = edit_round<Cut>(
+            wanted.size(), triangles, ask, [](const Cut&) { return std::size_t{1}; },
+            [&](std::size_t count) {
+                made = mesh.vertices.take_slots(count);
+                slots = triangles.slots_to_split(count, mesh.vertices.slots());
+                far.resize(count);
+            },
+            [&](const Cut& cut, std::size_t i, TriangleChanges& changes) {
+                // An edge that has been torn may have been cut in its middle: two vertices at one place would be a crack.
+                const bool torn = triangles[cut.t].across[cut.k] == no_triangle &&
+                                  !on_rectangle_border(mesh, cut.a, cut.b);
+                const VertexId v = made[i];
+                begin_on_edge(mesh, v, cut.t, cut.k, torn ? beside_middle : 0.5);
+                triangles.split(cut.t, cut.k, v, slots[i], changes);
+                far[i] = wants_trace(mesh, v);
+                if (const PointStatus status =
+                        far[i] ? PointStatus::Inside : flow_.status(mesh.vertices.position[v]);
+                    status != PointStatus::Inside)
+                    mesh.vertices.end[v] =
+                        status == PointStatus::InObstacle ? CurveEnd::Obstacle : CurveEnd::Domain;
+            });
+        for (std::size_t i = 0; i < made.size(); ++i)
+            if (far[i])
+                trace_with_ends(mesh, made[i], round.made[i].a, round.made[i].b);
+        wanted = round.again(wanted);
     }
 }
 

@@ -71,9 +71,10 @@ class Refinement {
                                 const WorkPart& work);
     Result<void> clip_at_the_dead(MovingMesh& mesh, std::span<const TriangleId> candidates);
     void cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidates, bool shape);
-    void cut(MovingMesh& mesh, TriangleId t, unsigned k, bool must);
+    void tear(const RefinementContext& here, TriangleId t, unsigned k);
     void close_torn(MovingMesh& mesh);
-    VertexId insert(MovingMesh& mesh, TriangleId t, unsigned k, double part);
+    void
+    begin_on_edge(MovingMesh& mesh, VertexId made, TriangleId t, unsigned k, double part) const;
     Result<void> pair(MovingMesh& mesh);
     bool wants_trace(const MovingMesh& mesh, VertexId made) const;
     double distance(const MovingMesh& mesh, VertexId v) const;

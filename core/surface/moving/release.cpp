@@ -161,10 +161,10 @@ void sort_memory(MovingMesh& mesh, double share) {
     const std::size_t holes = slots.size() - mesh.triangles.live() + v.slots() - order.size();
     if (static_cast<double>(misplaced + holes) <= share * static_cast<double>(order.size()))
         return;
-    std::sort(order.begin(), order.end(), before);
+    sort_all(order, before);
     std::vector<VertexId> slot_of(v.slots(), no_vertex);
-    for (std::size_t i = 0; i < order.size(); ++i)
-        slot_of[order[i]] = static_cast<VertexId>(i);
+    for_each_index(order.size(),
+                   [&](std::size_t i) { slot_of[order[i]] = static_cast<VertexId>(i); });
 
     struct Sorted {
         VertexId first; ///< of its vertices
@@ -172,18 +172,17 @@ void sort_memory(MovingMesh& mesh, double share) {
         TriangleId triangle;
     };
 
-    std::vector<Sorted> triangles;
-    for (TriangleId t = 0; t < slots.size(); ++t)
-        if (slots[t].live) {
-            const auto& [a, b, c] = slots[t].vertex;
-            triangles.push_back({std::min({slot_of[a], slot_of[b], slot_of[c]}), slots[t].quad, t});
-        }
-    std::sort(triangles.begin(), triangles.end(), [](const Sorted& a, const Sorted& b) {
+    auto sorted = gather<Sorted>(slots.size(), [&](std::size_t t, std::vector<Sorted>& found) {
+        const auto& [a, b, c] = slots[t].vertex;
+        if (slots[t].live)
+            found.push_back({std::min({slot_of[a], slot_of[b], slot_of[c]}), slots[t].quad,
+                             static_cast<TriangleId>(t)});
+    });
+    sort_all(sorted, [](const Sorted& a, const Sorted& b) {
         return std::tie(a.first, a.quad, a.triangle) < std::tie(b.first, b.quad, b.triangle);
     });
-    std::vector<TriangleId> triangle_order;
-    for (const Sorted& each : triangles)
-        triangle_order.push_back(each.triangle);
+    std::vector<TriangleId> triangle_order(sorted.size());
+    for_each_index(sorted.size(), [&](std::size_t i) { triangle_order[i] = sorted[i].triangle; });
     mesh.triangles.renumber(triangle_order, slot_of);
     v.renumber(order);
 }

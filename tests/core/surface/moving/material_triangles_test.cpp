@@ -147,7 +147,7 @@ TEST(MaterialTriangles, AnOddTriangleLooksForAnotherHalfAfterAJoin) {
     const auto [t, k] = triangles.find(11, 12);
     const VertexId middle = insert_middle(mesh, t, k);
     triangles.part(t);
-    triangles.leave_odd(t, k, middle, triangles.take_id());
+    triangles.leave_odd(t, k, middle, triangles.take_ids(1));
     std::vector<TriangleId> ring;
     ASSERT_TRUE(triangles.collapsible(12, 13, ring));
     triangles.collapse(12, 13, ring);
