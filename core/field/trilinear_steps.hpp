@@ -42,6 +42,39 @@ struct TrilinearPolynomial {
         return ((c[1] * m[0] + c[2] * m[1]) + (c[3] * m[2] + c[4] * m[3])) +
                ((c[5] * m[4] + c[6] * m[5]) + c[7] * m[6]);
     }
+
+    /// Returns the derivatives by x, y and z.
+    std::array<Components, 3> slopes(const Vec3& u) const {
+        return {(c[1] + c[3] * u.y) + (c[5] * u.z + c[7] * (u.y * u.z)),
+                (c[2] + c[3] * u.x) + (c[6] * u.z + c[7] * (u.x * u.z)),
+                (c[4] + c[5] * u.x) + (c[6] * u.y + c[7] * (u.x * u.y))};
+    }
+};
+
+/// (grad v) w at a place of a cell, as a function of w.
+class CellGradient {
+  public:
+    /// @param slopes  by the cell's coordinates, of velocity in these
+    /// @param sign    -1 for slopes of the field upstream
+    CellGradient(const std::array<Components, 3>& slopes,
+                 const Vec3& size,
+                 const Vec3& per_size,
+                 double sign)
+        : slopes_(slopes), size_(sign * size), per_size_(per_size), sign_(sign) {}
+
+    Vec3 operator()(const Vec3& w) const {
+        const Vec3 u = w * per_size_;
+        return (slopes_[0] * u.x + slopes_[1] * u.y + slopes_[2] * u.z).vector() * size_;
+    }
+
+    double divergence() const {
+        return sign_ * (slopes_[0].xy[0] + slopes_[1].xy[1] + slopes_[2].z[0]);
+    }
+
+  private:
+    std::array<Components, 3> slopes_;
+    Vec3 size_, per_size_;
+    double sign_;
 };
 
 /// Moves over the cells of a sampler's grid. Positions within a cell are in units of the cell; time runs in
@@ -114,6 +147,18 @@ class TrilinearCell {
     PathSeries series(const Vec3& u, double t) const {
         return field_.velocity1 ? expand<true>(u, (t - field_.time0) / field_.interval)
                                 : expand<false>(u, 0.0);
+    }
+
+    /// Returns the gradient at `u` in the cell at field time `t`.
+    CellGradient gradient(const Vec3& u, double t) const {
+        std::array<Components, 3> slopes = now_.slopes(u);
+        if (field_.velocity1) {
+            const double part = (t - field_.time0) / field_.interval;
+            const std::array<Components, 3> changes = change_.slopes(u);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                slopes[axis] = slopes[axis] + changes[axis] * part;
+        }
+        return {slopes, size_, per_size_, sign_};
     }
 
   private:
@@ -278,8 +323,8 @@ class TrilinearSteps {
     StepOutcome attempt(const Curve& curve, double left, CurveStep& step) {
         cell_.enter(index_);
         const double time = options_.frozen ? curve.release : curve.release + curve.last.time;
-        const PathSeries path =
-            cell_.series((curve.last.position - cell_.lo()) * cell_.per_size(), time);
+        local_ = cell_.series((curve.last.position - cell_.lo()) * cell_.per_size(), time);
+        const PathSeries& path = local_;
         const Vec3 velocity =
             Vec3(path.term[1][0], path.term[1][1], path.term[1][2]) * cell_.size();
         const double speed = glm::length(velocity);
@@ -306,9 +351,10 @@ class TrilinearSteps {
         return StepOutcome::Taken;
     }
 
-    /// Returns (grad v) w at theta of a step, as a function of w.
-    auto gradient(const CurveStep& step, double theta, double time) const {
-        return field_.gradient(Vec3(step.at(theta)), time);
+    /// Returns (grad v) w at theta of the last step, as a function of w. REQUIRES: it has not arrived yet.
+    CellGradient gradient(const CurveStep& step, double theta, double time) const {
+        const double t = theta * std::abs(step.dt);
+        return cell_.gradient({local_.at(0, t), local_.at(1, t), local_.at(2, t)}, time);
     }
 
     double inside_until(const CurveStep& step, PointStatus& met) const {
@@ -333,6 +379,7 @@ class TrilinearSteps {
     const TraceOptions& options_;
     double sign_;
     TrilinearCell<Grid> cell_;
+    PathSeries local_; ///< of the last step, in the cell
     typename TrilinearCell<Grid>::Index index_{};
     CellExit exit_;  ///< of the last step
     double t_ = 0.0; ///< its length

@@ -82,47 +82,72 @@ inside_until(const Field& field, const CurveStep& step, double longest_step, Poi
 }
 
 /// Carries the tangent across the rake along a step: w' = (grad v) w, by the classic Runge-Kutta formula.
-/// Within the cell of a series, where it is a polynomial too and points on the faces belong to the next cell
-/// as well, it takes the midpoint rule over either half.
-/// @param release  simulation time of the curve, @param frozen the field stays as it is then
-template <class Steps>
-StretchStep carry_stretch(
-    const Steps& steps, const CurveStep& step, const Vec3& start, double release, bool frozen) {
-    const auto time = [&](double theta) {
-        return frozen ? release : release + step.time + theta * step.dt;
+/// @param time  time(theta): of the field then
+template <class Field, class Time>
+StretchStep
+carry_stretch(const Field& field, const CurveStep& step, const Vec3& start, const Time& time) {
+    const auto change = [&](double theta, const Vec3& w) {
+        return step.dt * field.derivative(Vec3(step.at(theta)), time(theta), w);
     };
     StretchStep out;
     out.start = start;
-    if constexpr (requires { steps.gradient(step, 0.5, 0.0); }) {
-        const auto early = steps.gradient(step, 0.25, time(0.25));
-        const auto late = steps.gradient(step, 0.75, time(0.75));
-        const double half = 0.5 * step.dt;
-        const Vec3 middle = start + half * early(start + 0.5 * half * early(start));
-        out.end = middle + half * late(middle + 0.5 * half * late(middle));
-        out.start_change = step.dt * (1.5 * early(start) - 0.5 * late(start));
-        out.end_change = step.dt * (1.5 * late(out.end) - 0.5 * early(out.end));
-    } else {
-        const auto change = [&](double theta, const Vec3& w) {
-            return step.dt * steps.field().derivative(Vec3(step.at(theta)), time(theta), w);
-        };
-        out.start_change = change(0.0, start);
-        const Vec3 k2 = change(0.5, start + 0.5 * out.start_change);
-        const Vec3 k3 = change(0.5, start + 0.5 * k2);
-        const Vec3 k4 = change(1.0, start + k3);
-        out.end = start + (out.start_change + 2.0 * (k2 + k3) + k4) / 6.0;
-        out.end_change = change(1.0, out.end);
-    }
+    out.start_change = change(0.0, start);
+    const Vec3 k2 = change(0.5, start + 0.5 * out.start_change);
+    const Vec3 k3 = change(0.5, start + 0.5 * k2);
+    const Vec3 k4 = change(1.0, start + k3);
+    out.end = start + (out.start_change + 2.0 * (k2 + k3) + k4) / 6.0;
+    out.end_change = change(1.0, out.end);
     return out;
 }
 
-/// Returns how much the fluid expands round the particle during a step, by the midpoint rule: a logarithm.
+/// The same by the midpoint rule over either half of a step: within the cell of a series the tangent is a
+/// polynomial too, and points on the faces belong to the next cell as well.
+/// @param early, late  (grad v) w a quarter of the step from its start and from its end, as functions of w
+template <class Gradient>
+StretchStep
+carry_stretch(const Gradient& early, const Gradient& late, double dt, const Vec3& start) {
+    StretchStep out;
+    out.start = start;
+    const double half = 0.5 * dt;
+    const Vec3 early_start = early(start);
+    const Vec3 middle = start + half * early(start + 0.5 * half * early_start);
+    const Vec3 late_middle = late(middle);
+    out.end = middle + half * late(middle + 0.5 * half * late_middle);
+    out.start_change = dt * (1.5 * early_start - 0.5 * late(start));
+    out.end_change = dt * (1.5 * late(out.end) - 0.5 * early(out.end));
+    return out;
+}
+
+/// Finds what the options ask for of the fluid round the particle during a step: the tangent, which the curve
+/// keeps, and how much the fluid expands, by the midpoint rule over the step or, with the tangent, over
+/// either half.
 template <class Steps>
-double expansion_in(const Steps& steps, const CurveStep& step, double release, bool frozen) {
-    const double time = frozen ? release : release + step.time + 0.5 * step.dt;
-    if constexpr (requires { steps.gradient(step, 0.5, time); })
-        return step.dt * divergence_of(steps.gradient(step, 0.5, time));
-    else
-        return step.dt * divergence(steps.field(), Vec3(step.at(0.5)), time);
+void carry_neighbourhood(const Steps& steps,
+                         Curve& curve,
+                         CurveStep& step,
+                         const TraceOptions& options) {
+    const auto time = [&](double theta) {
+        return options.frozen ? curve.release : curve.release + step.time + theta * step.dt;
+    };
+    const auto expand = [&](double divergence) {
+        step.expansion = static_cast<float>(step.dt * divergence);
+    };
+    if constexpr (requires { steps.gradient(step, 0.5, 0.0); }) {
+        if (options.stretch) {
+            const auto early = steps.gradient(step, 0.25, time(0.25));
+            const auto late = steps.gradient(step, 0.75, time(0.75));
+            if (options.expansion)
+                expand(0.5 * (divergence_of(early) + divergence_of(late)));
+            curve.stretches.push_back(carry_stretch(early, late, step.dt, curve.last.stretch));
+        } else if (options.expansion) {
+            expand(divergence_of(steps.gradient(step, 0.5, time(0.5))));
+        }
+    } else {
+        if (options.expansion)
+            expand(divergence(steps.field(), Vec3(step.at(0.5)), time(0.5)));
+        if (options.stretch)
+            curve.stretches.push_back(carry_stretch(steps.field(), step, curve.last.stretch, time));
+    }
 }
 
 inline CurveEnd end_at(PointStatus met) {
@@ -228,12 +253,7 @@ bool advance_steps(Steps steps,
             continue;
         step.time = curve.last.time;
         // Before any other test: the steps of cells have their place there.
-        if (options.expansion)
-            step.expansion =
-                static_cast<float>(expansion_in(steps, step, curve.release, options.frozen));
-        if (options.stretch)
-            curve.stretches.push_back(
-                carry_stretch(steps, step, curve.last.stretch, curve.release, options.frozen));
+        carry_neighbourhood(steps, curve, step, options);
         PointStatus met = PointStatus::Inside;
         const double theta = steps.inside_until(step, met);
         if (missed(steps.field())) {
