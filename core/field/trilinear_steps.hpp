@@ -4,6 +4,7 @@
 
 #include "core/base/components.hpp"
 #include "core/field/grid_sampler.hpp"
+#include "core/field/kernel/series_batch.hpp"
 #include "core/integrate/advance_curve.hpp"
 #include "core/integrate/grazing_steps.hpp"
 #include "core/integrate/path_series.hpp"
@@ -147,6 +148,29 @@ class TrilinearCell {
     PathSeries series(const Vec3& u, double t) const {
         return field_.velocity1 ? expand<true>(u, (t - field_.time0) / field_.interval)
                                 : expand<false>(u, 0.0);
+    }
+
+    /// Writes what expanding the series of a particle at `u` at field time `t` takes, in a lane of a batch.
+    void put(const Vec3& u, double t, SeriesBatch& batch, std::size_t lane) const {
+        const auto write = [&](const TrilinearPolynomial& from, auto& to) {
+            for (std::size_t i = 0; i < 8; ++i) {
+                to[i][0][lane] = from.c[i].xy[0];
+                to[i][1][lane] = from.c[i].xy[1];
+                to[i][2][lane] = from.c[i].z[0];
+            }
+        };
+        write(now_, batch.now);
+        batch.unsteady = static_cast<bool>(field_.velocity1);
+        if (batch.unsteady) {
+            write(change_, batch.change);
+            batch.part[lane] = (t - field_.time0) / field_.interval;
+            batch.rate[lane] = rate_;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            batch.place[axis][lane] = u[axis];
+            batch.size[axis][lane] = size_[axis];
+            batch.low[axis][lane] = lo_[axis];
+        }
     }
 
     /// Returns the gradient at `u` in the cell at field time `t`.
@@ -322,31 +346,46 @@ class TrilinearSteps {
 
     StepOutcome attempt(const Curve& curve, double left, CurveStep& step) {
         cell_.enter(index_);
-        const double time = options_.frozen ? curve.release : curve.release + curve.last.time;
-        local_ = cell_.series((curve.last.position - cell_.lo()) * cell_.per_size(), time);
-        const PathSeries& path = local_;
+        local_ = cell_.series(place(curve), time(curve));
+        exit_ = leaves_cell(local_);
         const Vec3 velocity =
-            Vec3(path.term[1][0], path.term[1][1], path.term[1][2]) * cell_.size();
-        const double speed = glm::length(velocity);
-        const bool rests = !(speed > options_.stagnation_speed);
-        if (rests && ends_at_rest(field_, curve.last.position, time, speed, options_.frozen))
-            return StepOutcome::Stagnation;
-        exit_ = leaves_cell(path);
-        auto next = index_;
-        next[exit_.axis] += exit_.step;
-        if (!cell_.inside(next))
-            sharpen(path, exit_, 1e-12);
-        // Bounds a particle that circles slowly in its cell.
-        const double crossing = rests ? left : cell_.finest() / speed;
-        t_ = std::max(exit_.time, grazing_.least(exit_.time / crossing) * crossing);
-        t_ = t_ <= 1e3 * crossing ? t_ : 1e3 * crossing;
-        t_ = std::min(t_, left);
-        const auto shortened = series_step(path, cell_.lo(), cell_.size(), curve.last.arc,
-                                           allowed_error(options_, rests, speed, left), t_,
-                                           GrazingSteps::shortest * crossing);
-        if (!shortened)
-            return StepOutcome::Stagnation;
-        step = *shortened;
+            Vec3(local_.term[1][0], local_.term[1][1], local_.term[1][2]) * cell_.size();
+        return bound(curve, left, glm::length(velocity)) ? step_alone(curve, step)
+                                                         : StepOutcome::Stagnation;
+    }
+
+    // attempt() in a lane of a batch, in three parts: between them the kernel expands the series and finds
+    // the steps.
+
+    void put(const Curve& curve, SeriesBatch& batch, std::size_t lane) {
+        cell_.enter(index_);
+        cell_.put(place(curve), time(curve), batch, lane);
+        batch.arc[lane] = curve.last.arc;
+    }
+
+    /// Returns false at stagnation.
+    bool bound(const Curve& curve, double left, SeriesBatch& batch, std::size_t lane) {
+        for (std::size_t k = 0; k <= PathSeries::order; ++k)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                local_.term[k][axis] = batch.term[k][axis][lane];
+        exit_ = {batch.exit_time[lane], static_cast<std::size_t>(batch.exit_axis[lane]),
+                 static_cast<int>(batch.exit_step[lane])};
+        const bool goes = bound(curve, left, batch.speed[lane]);
+        batch.time[lane] = t_;
+        batch.least[lane] = least_;
+        batch.allowed[lane] = allowed_;
+        return goes;
+    }
+
+    StepOutcome
+    take(const Curve& curve, const SeriesBatch& batch, std::size_t lane, CurveStep& step) {
+        if ((batch.shorter >> lane & 1u) != 0)
+            return step_alone(curve, step);
+        step = {};
+        for (std::size_t k = 0; k < step.c.size(); ++k)
+            for (int i = 0; i < 4; ++i)
+                step.c[k][i] = batch.output[k][i][lane];
+        step.error = static_cast<float>(batch.error[lane]);
         step.dt = sign_ * t_;
         return StepOutcome::Taken;
     }
@@ -375,14 +414,52 @@ class TrilinearSteps {
     }
 
   private:
+    double time(const Curve& curve) const {
+        return options_.frozen ? curve.release : curve.release + curve.last.time;
+    }
+
+    Vec3 place(const Curve& curve) const {
+        return (curve.last.position - cell_.lo()) * cell_.per_size();
+    }
+
+    /// Finds how long the step may be, and how exact it has to be. Returns false at stagnation.
+    bool bound(const Curve& curve, double left, double speed) {
+        const bool rests = !(speed > options_.stagnation_speed);
+        if (rests && ends_at_rest(field_, curve.last.position, time(curve), speed, options_.frozen))
+            return false;
+        auto next = index_;
+        next[exit_.axis] += exit_.step;
+        if (!cell_.inside(next))
+            sharpen(local_, exit_, 1e-12);
+        // Bounds a particle that circles slowly in its cell.
+        const double crossing = rests ? left : cell_.finest() / speed;
+        t_ = std::max(exit_.time, grazing_.least(exit_.time / crossing) * crossing);
+        t_ = t_ <= 1e3 * crossing ? t_ : 1e3 * crossing;
+        t_ = std::min(t_, left);
+        allowed_ = allowed_error(options_, rests, speed, left);
+        least_ = GrazingSteps::shortest * crossing;
+        return true;
+    }
+
+    StepOutcome step_alone(const Curve& curve, CurveStep& step) {
+        const auto shortened =
+            series_step(local_, cell_.lo(), cell_.size(), curve.last.arc, allowed_, t_, least_);
+        if (!shortened)
+            return StepOutcome::Stagnation;
+        step = *shortened;
+        step.dt = sign_ * t_;
+        return StepOutcome::Taken;
+    }
+
     const GridSampler<Grid>& field_;
     const TraceOptions& options_;
     double sign_;
     TrilinearCell<Grid> cell_;
     PathSeries local_; ///< of the last step, in the cell
     typename TrilinearCell<Grid>::Index index_{};
-    CellExit exit_;  ///< of the last step
-    double t_ = 0.0; ///< its length
+    CellExit exit_;                      ///< of the last step
+    double t_ = 0.0;                     ///< its length
+    double allowed_ = 0.0, least_ = 0.0; ///< of series_step()
     GrazingSteps grazing_;
 };
 
