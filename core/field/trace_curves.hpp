@@ -2,19 +2,18 @@
 // result is the same for any number of threads.
 #pragma once
 
+#include "core/base/for_each_index.hpp"
 #include "core/dataset/missing_bricks.hpp"
 #include "core/field/field_in_series.hpp"
 #include "core/field/look_ahead.hpp"
+#include "core/field/trace_together.hpp"
 #include "core/integrate/cursor_of.hpp"
 #include "core/integrate/runge_kutta.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -38,29 +37,52 @@ bool trace_curves(const Field& field,
         std::vector<WaitingAt<Steps>> waiting(missing != nullptr ? curves.size() : 0);
         std::vector<std::uint8_t> done(waiting.size());
         std::atomic<bool> whole{true};
+        const auto until = [&](const Curve& curve) {
+            return curve.duration < 0.0 ? std::max(curve.duration, limit - curve.release)
+                                        : std::min(curve.duration, limit - curve.release);
+        };
+        const auto direction = [](const Curve& curve) { return curve.duration < 0.0 ? -1.0 : 1.0; };
         const auto advance = [&](std::size_t i) {
             Curve& curve = curves[i];
-            const double until = curve.duration < 0.0
-                                     ? std::max(curve.duration, limit - curve.release)
-                                     : std::min(curve.duration, limit - curve.release);
             const auto& view = cursor_of(field);
-            if (!advance_curve(steps_of(view, curve.duration < 0.0 ? -1.0 : 1.0), curve, options,
-                               until, stop, waiting.empty() ? nullptr : &waiting[i]))
+            if (!advance_curve(steps_of(view, direction(curve)), curve, options, until(curve), stop,
+                               waiting.empty() ? nullptr : &waiting[i]))
                 whole = false;
             if (!done.empty())
                 done[i] = missed(view) || curve.wanted > 0 ? 0 : 1;
             if (const std::size_t wanted = std::exchange(curve.wanted, 0))
                 missing->want(*options.memory, wanted);
         };
+        const auto goes_on = [&](std::size_t i) {
+            return curves[i].end == CurveEnd::Running && (done.empty() || !done[i]);
+        };
+        const auto advance_together = [&](auto begin, std::size_t end) {
+            const auto& view = cursor_of(field);
+            using Advance = CurveAdvance<Steps, KeepInCurve>;
+            const auto next = [&]() -> std::optional<Advance> {
+                while (begin != end && !goes_on(begin))
+                    ++begin;
+                if (begin == end || !whole.load(std::memory_order_relaxed))
+                    return std::nullopt;
+                Curve& curve = curves[begin++];
+                if (curve.attempts == 0)
+                    set_out(curve);
+                return Advance(steps_of(view, direction(curve)), curve, options, until(curve), stop,
+                               KeepInCurve{curve, options});
+            };
+            if (!trace_together(series_kernel(), next))
+                whole = false;
+        };
         const auto advance_range = [&](std::size_t begin, std::size_t end) {
-            tbb::this_task_arena::isolate([&] {
-                tbb::parallel_for(
-                    tbb::blocked_range<std::size_t>(begin, end, 4), [&](const auto& range) {
-                        for (std::size_t i = range.begin();
-                             i != range.end() && whole.load(std::memory_order_relaxed); ++i)
-                            if (curves[i].end == CurveEnd::Running && (done.empty() || !done[i]))
-                                advance(i);
-                    });
+            const bool together = StepsInLanes<Steps> && missing == nullptr;
+            for_each_range(end - begin, together ? 8 : 4, [&](std::size_t from, std::size_t to) {
+                if constexpr (StepsInLanes<Steps>)
+                    if (together)
+                        return advance_together(begin + from, begin + to);
+                for (std::size_t i = begin + from;
+                     i != begin + to && whole.load(std::memory_order_relaxed); ++i)
+                    if (goes_on(i))
+                        advance(i);
             });
             return whole.load();
         };

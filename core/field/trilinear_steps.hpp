@@ -4,6 +4,7 @@
 
 #include "core/base/components.hpp"
 #include "core/field/grid_sampler.hpp"
+#include "core/field/kernel/series_batch.hpp"
 #include "core/integrate/advance_curve.hpp"
 #include "core/integrate/grazing_steps.hpp"
 #include "core/integrate/path_series.hpp"
@@ -42,6 +43,39 @@ struct TrilinearPolynomial {
         return ((c[1] * m[0] + c[2] * m[1]) + (c[3] * m[2] + c[4] * m[3])) +
                ((c[5] * m[4] + c[6] * m[5]) + c[7] * m[6]);
     }
+
+    /// Returns the derivatives by x, y and z.
+    std::array<Components, 3> slopes(const Vec3& u) const {
+        return {(c[1] + c[3] * u.y) + (c[5] * u.z + c[7] * (u.y * u.z)),
+                (c[2] + c[3] * u.x) + (c[6] * u.z + c[7] * (u.x * u.z)),
+                (c[4] + c[5] * u.x) + (c[6] * u.y + c[7] * (u.x * u.y))};
+    }
+};
+
+/// (grad v) w at a place of a cell, as a function of w.
+class CellGradient {
+  public:
+    /// @param slopes  by the cell's coordinates, of velocity in these
+    /// @param sign    -1 for slopes of the field upstream
+    CellGradient(const std::array<Components, 3>& slopes,
+                 const Vec3& size,
+                 const Vec3& per_size,
+                 double sign)
+        : slopes_(slopes), size_(sign * size), per_size_(per_size), sign_(sign) {}
+
+    Vec3 operator()(const Vec3& w) const {
+        const Vec3 u = w * per_size_;
+        return (slopes_[0] * u.x + slopes_[1] * u.y + slopes_[2] * u.z).vector() * size_;
+    }
+
+    double divergence() const {
+        return sign_ * (slopes_[0].xy[0] + slopes_[1].xy[1] + slopes_[2].z[0]);
+    }
+
+  private:
+    std::array<Components, 3> slopes_;
+    Vec3 size_, per_size_;
+    double sign_;
 };
 
 /// Moves over the cells of a sampler's grid. Positions within a cell are in units of the cell; time runs in
@@ -114,6 +148,41 @@ class TrilinearCell {
     PathSeries series(const Vec3& u, double t) const {
         return field_.velocity1 ? expand<true>(u, (t - field_.time0) / field_.interval)
                                 : expand<false>(u, 0.0);
+    }
+
+    /// Writes what expanding the series of a particle at `u` at field time `t` takes, in a lane of a batch.
+    void put(const Vec3& u, double t, SeriesBatch& batch, std::size_t lane) const {
+        const auto write = [&](const TrilinearPolynomial& from, auto& to) {
+            for (std::size_t i = 0; i < 8; ++i) {
+                to[i][0][lane] = from.c[i].xy[0];
+                to[i][1][lane] = from.c[i].xy[1];
+                to[i][2][lane] = from.c[i].z[0];
+            }
+        };
+        write(now_, batch.now);
+        batch.unsteady = static_cast<bool>(field_.velocity1);
+        if (batch.unsteady) {
+            write(change_, batch.change);
+            batch.part[lane] = (t - field_.time0) / field_.interval;
+            batch.rate[lane] = rate_;
+        }
+        for (int axis = 0; axis < 3; ++axis) {
+            batch.place[axis][lane] = u[axis];
+            batch.size[axis][lane] = size_[axis];
+            batch.low[axis][lane] = lo_[axis];
+        }
+    }
+
+    /// Returns the gradient at `u` in the cell at field time `t`.
+    CellGradient gradient(const Vec3& u, double t) const {
+        std::array<Components, 3> slopes = now_.slopes(u);
+        if (field_.velocity1) {
+            const double part = (t - field_.time0) / field_.interval;
+            const std::array<Components, 3> changes = change_.slopes(u);
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                slopes[axis] = slopes[axis] + changes[axis] * part;
+        }
+        return {slopes, size_, per_size_, sign_};
     }
 
   private:
@@ -277,38 +346,54 @@ class TrilinearSteps {
 
     StepOutcome attempt(const Curve& curve, double left, CurveStep& step) {
         cell_.enter(index_);
-        const double time = options_.frozen ? curve.release : curve.release + curve.last.time;
-        const PathSeries path =
-            cell_.series((curve.last.position - cell_.lo()) * cell_.per_size(), time);
+        local_ = cell_.series(place(curve), time(curve));
+        exit_ = leaves_cell(local_);
         const Vec3 velocity =
-            Vec3(path.term[1][0], path.term[1][1], path.term[1][2]) * cell_.size();
-        const double speed = glm::length(velocity);
-        const bool rests = !(speed > options_.stagnation_speed);
-        if (rests && ends_at_rest(field_, curve.last.position, time, speed, options_.frozen))
-            return StepOutcome::Stagnation;
-        exit_ = leaves_cell(path);
-        auto next = index_;
-        next[exit_.axis] += exit_.step;
-        if (!cell_.inside(next))
-            sharpen(path, exit_, 1e-12);
-        // Bounds a particle that circles slowly in its cell.
-        const double crossing = rests ? left : cell_.finest() / speed;
-        t_ = std::max(exit_.time, grazing_.least(exit_.time / crossing) * crossing);
-        t_ = t_ <= 1e3 * crossing ? t_ : 1e3 * crossing;
-        t_ = std::min(t_, left);
-        const auto shortened = series_step(path, cell_.lo(), cell_.size(), curve.last.arc,
-                                           allowed_error(options_, rests, speed, left), t_,
-                                           GrazingSteps::shortest * crossing);
-        if (!shortened)
-            return StepOutcome::Stagnation;
-        step = *shortened;
+            Vec3(local_.term[1][0], local_.term[1][1], local_.term[1][2]) * cell_.size();
+        return bound(curve, left, glm::length(velocity)) ? step_alone(curve, step)
+                                                         : StepOutcome::Stagnation;
+    }
+
+    // attempt() in a lane of a batch, in three parts: between them the kernel expands the series and finds
+    // the steps.
+
+    void put(const Curve& curve, SeriesBatch& batch, std::size_t lane) {
+        cell_.enter(index_);
+        cell_.put(place(curve), time(curve), batch, lane);
+        batch.arc[lane] = curve.last.arc;
+    }
+
+    /// Returns false at stagnation.
+    bool bound(const Curve& curve, double left, SeriesBatch& batch, std::size_t lane) {
+        for (std::size_t k = 0; k <= PathSeries::order; ++k)
+            for (std::size_t axis = 0; axis < 3; ++axis)
+                local_.term[k][axis] = batch.term[k][axis][lane];
+        exit_ = {batch.exit_time[lane], static_cast<std::size_t>(batch.exit_axis[lane]),
+                 static_cast<int>(batch.exit_step[lane])};
+        const bool goes = bound(curve, left, batch.speed[lane]);
+        batch.time[lane] = t_;
+        batch.least[lane] = least_;
+        batch.allowed[lane] = allowed_;
+        return goes;
+    }
+
+    StepOutcome
+    take(const Curve& curve, const SeriesBatch& batch, std::size_t lane, CurveStep& step) {
+        if ((batch.shorter >> lane & 1u) != 0)
+            return step_alone(curve, step);
+        step = {};
+        for (std::size_t k = 0; k < step.c.size(); ++k)
+            for (int i = 0; i < 4; ++i)
+                step.c[k][i] = batch.output[k][i][lane];
+        step.error = static_cast<float>(batch.error[lane]);
         step.dt = sign_ * t_;
         return StepOutcome::Taken;
     }
 
-    /// Returns (grad v) w at theta of a step, as a function of w.
-    auto gradient(const CurveStep& step, double theta, double time) const {
-        return field_.gradient(Vec3(step.at(theta)), time);
+    /// Returns (grad v) w at theta of the last step, as a function of w. REQUIRES: it has not arrived yet.
+    CellGradient gradient(const CurveStep& step, double theta, double time) const {
+        const double t = theta * std::abs(step.dt);
+        return cell_.gradient({local_.at(0, t), local_.at(1, t), local_.at(2, t)}, time);
     }
 
     double inside_until(const CurveStep& step, PointStatus& met) const {
@@ -329,13 +414,52 @@ class TrilinearSteps {
     }
 
   private:
+    double time(const Curve& curve) const {
+        return options_.frozen ? curve.release : curve.release + curve.last.time;
+    }
+
+    Vec3 place(const Curve& curve) const {
+        return (curve.last.position - cell_.lo()) * cell_.per_size();
+    }
+
+    /// Finds how long the step may be, and how exact it has to be. Returns false at stagnation.
+    bool bound(const Curve& curve, double left, double speed) {
+        const bool rests = !(speed > options_.stagnation_speed);
+        if (rests && ends_at_rest(field_, curve.last.position, time(curve), speed, options_.frozen))
+            return false;
+        auto next = index_;
+        next[exit_.axis] += exit_.step;
+        if (!cell_.inside(next))
+            sharpen(local_, exit_, 1e-12);
+        // Bounds a particle that circles slowly in its cell.
+        const double crossing = rests ? left : cell_.finest() / speed;
+        t_ = std::max(exit_.time, grazing_.least(exit_.time / crossing) * crossing);
+        t_ = t_ <= 1e3 * crossing ? t_ : 1e3 * crossing;
+        t_ = std::min(t_, left);
+        allowed_ = allowed_error(options_, rests, speed, left);
+        least_ = GrazingSteps::shortest * crossing;
+        return true;
+    }
+
+    StepOutcome step_alone(const Curve& curve, CurveStep& step) {
+        const auto shortened =
+            series_step(local_, cell_.lo(), cell_.size(), curve.last.arc, allowed_, t_, least_);
+        if (!shortened)
+            return StepOutcome::Stagnation;
+        step = *shortened;
+        step.dt = sign_ * t_;
+        return StepOutcome::Taken;
+    }
+
     const GridSampler<Grid>& field_;
     const TraceOptions& options_;
     double sign_;
     TrilinearCell<Grid> cell_;
+    PathSeries local_; ///< of the last step, in the cell
     typename TrilinearCell<Grid>::Index index_{};
-    CellExit exit_;  ///< of the last step
-    double t_ = 0.0; ///< its length
+    CellExit exit_;                      ///< of the last step
+    double t_ = 0.0;                     ///< its length
+    double allowed_ = 0.0, least_ = 0.0; ///< of series_step()
     GrazingSteps grazing_;
 };
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <optional>
 #include <stop_token>
 #include <utility>
@@ -82,47 +83,72 @@ inside_until(const Field& field, const CurveStep& step, double longest_step, Poi
 }
 
 /// Carries the tangent across the rake along a step: w' = (grad v) w, by the classic Runge-Kutta formula.
-/// Within the cell of a series, where it is a polynomial too and points on the faces belong to the next cell
-/// as well, it takes the midpoint rule over either half.
-/// @param release  simulation time of the curve, @param frozen the field stays as it is then
-template <class Steps>
-StretchStep carry_stretch(
-    const Steps& steps, const CurveStep& step, const Vec3& start, double release, bool frozen) {
-    const auto time = [&](double theta) {
-        return frozen ? release : release + step.time + theta * step.dt;
+/// @param time  time(theta): of the field then
+template <class Field, class Time>
+StretchStep
+carry_stretch(const Field& field, const CurveStep& step, const Vec3& start, const Time& time) {
+    const auto change = [&](double theta, const Vec3& w) {
+        return step.dt * field.derivative(Vec3(step.at(theta)), time(theta), w);
     };
     StretchStep out;
     out.start = start;
-    if constexpr (requires { steps.gradient(step, 0.5, 0.0); }) {
-        const auto early = steps.gradient(step, 0.25, time(0.25));
-        const auto late = steps.gradient(step, 0.75, time(0.75));
-        const double half = 0.5 * step.dt;
-        const Vec3 middle = start + half * early(start + 0.5 * half * early(start));
-        out.end = middle + half * late(middle + 0.5 * half * late(middle));
-        out.start_change = step.dt * (1.5 * early(start) - 0.5 * late(start));
-        out.end_change = step.dt * (1.5 * late(out.end) - 0.5 * early(out.end));
-    } else {
-        const auto change = [&](double theta, const Vec3& w) {
-            return step.dt * steps.field().derivative(Vec3(step.at(theta)), time(theta), w);
-        };
-        out.start_change = change(0.0, start);
-        const Vec3 k2 = change(0.5, start + 0.5 * out.start_change);
-        const Vec3 k3 = change(0.5, start + 0.5 * k2);
-        const Vec3 k4 = change(1.0, start + k3);
-        out.end = start + (out.start_change + 2.0 * (k2 + k3) + k4) / 6.0;
-        out.end_change = change(1.0, out.end);
-    }
+    out.start_change = change(0.0, start);
+    const Vec3 k2 = change(0.5, start + 0.5 * out.start_change);
+    const Vec3 k3 = change(0.5, start + 0.5 * k2);
+    const Vec3 k4 = change(1.0, start + k3);
+    out.end = start + (out.start_change + 2.0 * (k2 + k3) + k4) / 6.0;
+    out.end_change = change(1.0, out.end);
     return out;
 }
 
-/// Returns how much the fluid expands round the particle during a step, by the midpoint rule: a logarithm.
+/// The same by the midpoint rule over either half of a step: within the cell of a series the tangent is a
+/// polynomial too, and points on the faces belong to the next cell as well.
+/// @param early, late  (grad v) w a quarter of the step from its start and from its end, as functions of w
+template <class Gradient>
+StretchStep
+carry_stretch(const Gradient& early, const Gradient& late, double dt, const Vec3& start) {
+    StretchStep out;
+    out.start = start;
+    const double half = 0.5 * dt;
+    const Vec3 early_start = early(start);
+    const Vec3 middle = start + half * early(start + 0.5 * half * early_start);
+    const Vec3 late_middle = late(middle);
+    out.end = middle + half * late(middle + 0.5 * half * late_middle);
+    out.start_change = dt * (1.5 * early_start - 0.5 * late(start));
+    out.end_change = dt * (1.5 * late(out.end) - 0.5 * early(out.end));
+    return out;
+}
+
+/// Finds what the options ask for of the fluid round the particle during a step: the tangent, which the curve
+/// keeps, and how much the fluid expands, by the midpoint rule over the step or, with the tangent, over
+/// either half.
 template <class Steps>
-double expansion_in(const Steps& steps, const CurveStep& step, double release, bool frozen) {
-    const double time = frozen ? release : release + step.time + 0.5 * step.dt;
-    if constexpr (requires { steps.gradient(step, 0.5, time); })
-        return step.dt * divergence_of(steps.gradient(step, 0.5, time));
-    else
-        return step.dt * divergence(steps.field(), Vec3(step.at(0.5)), time);
+void carry_neighbourhood(const Steps& steps,
+                         Curve& curve,
+                         CurveStep& step,
+                         const TraceOptions& options) {
+    const auto time = [&](double theta) {
+        return options.frozen ? curve.release : curve.release + step.time + theta * step.dt;
+    };
+    const auto expand = [&](double divergence) {
+        step.expansion = static_cast<float>(step.dt * divergence);
+    };
+    if constexpr (requires { steps.gradient(step, 0.5, 0.0); }) {
+        if (options.stretch) {
+            const auto early = steps.gradient(step, 0.25, time(0.25));
+            const auto late = steps.gradient(step, 0.75, time(0.75));
+            if (options.expansion)
+                expand(0.5 * (divergence_of(early) + divergence_of(late)));
+            curve.stretches.push_back(carry_stretch(early, late, step.dt, curve.last.stretch));
+        } else if (options.expansion) {
+            expand(divergence_of(steps.gradient(step, 0.5, time(0.5))));
+        }
+    } else {
+        if (options.expansion)
+            expand(divergence(steps.field(), Vec3(step.at(0.5)), time(0.5)));
+        if (options.stretch)
+            curve.stretches.push_back(carry_stretch(steps.field(), step, curve.last.stretch, time));
+    }
 }
 
 inline CurveEnd end_at(PointStatus met) {
@@ -158,13 +184,142 @@ struct WaypointOf<Steps> {
 template <class Steps>
 using WaitingAt = std::optional<typename WaypointOf<Steps>::Type>;
 
-/// Goes on from `curve.last` until `until` (time since release, same sign as the duration), or until values
-/// are missing: the curve is then as it was before the step that met them. Returns false if `stop` fired or
-/// `keep` returned false. Thread safety: disjoint curves may be advanced concurrently.
-/// @param steps  of this curve, in the direction of its duration
-/// @param keep   keep(step) is called with each step that was taken; false: the curve cannot go on
-/// @param place  where it waits, from one call to the next. Null: a curve that meets missing values is good
-///               for nothing
+/// One curve on its way from `curve.last` until `until` (time since release, same sign as the duration), or
+/// until values are missing: the curve is then as it was before the step that met them. Who has it attempts
+/// the steps. Thread safety: disjoint curves may be advanced concurrently.
+template <CurveSteps Steps, class Keep>
+class CurveAdvance {
+  public:
+    enum class Next : std::uint8_t {
+        Attempt, ///< a step of at most left()
+        Done,
+        Stopped ///< `stop` fired or `keep` returned false
+    };
+
+    /// @param steps  of this curve, in the direction of its duration
+    /// @param keep   keep(step) is called with each step that was taken; false: the curve cannot go on
+    /// @param place  where it waits, from one call to the next. Null: a curve that meets missing values is
+    ///               good for nothing
+    CurveAdvance(Steps steps,
+                 Curve& curve,
+                 const TraceOptions& options,
+                 double until,
+                 const std::stop_token& stop,
+                 Keep keep,
+                 WaitingAt<Steps>* place = nullptr)
+        : steps_(std::move(steps)), curve_(curve), options_(options), until_(until), stop_(stop),
+          keep_(std::move(keep)), place_(place) {}
+
+    Steps& steps() { return steps_; }
+
+    Curve& curve() const { return curve_; }
+
+    double left() const { return left_; }
+
+    Next begin() {
+        const PointStatus status = [&] {
+            if constexpr (can_wait)
+                if (place_ != nullptr && *place_)
+                    return steps_.resume(**place_);
+            return steps_.begin(curve_);
+        }();
+        if (missed(steps_.field()))
+            return Next::Done;
+        if (status != PointStatus::Inside)
+            curve_.end = end_at(status);
+        return next();
+    }
+
+    /// Goes on after an attempt. @param step  it, where it was taken
+    Next took(StepOutcome outcome, CurveStep& step) {
+        ++curve_.attempts;
+        if (missed(steps_.field()))
+            return again();
+        if (outcome == StepOutcome::Stagnation)
+            curve_.end = end_at_rest(steps_.field(), curve_.last.position);
+        if (outcome != StepOutcome::Taken)
+            return next();
+        step.time = curve_.last.time;
+        // Before any other test: the steps of cells have their place there.
+        carry_neighbourhood(steps_, curve_, step, options_);
+        PointStatus met = PointStatus::Inside;
+        const double theta = steps_.inside_until(step, met);
+        if (missed(steps_.field())) {
+            if (options_.stretch)
+                curve_.stretches.pop_back();
+            return again();
+        }
+        take_step(curve_, step, theta);
+        if (!keep_(step))
+            return Next::Stopped;
+        if (theta < 1.0) {
+            curve_.end = end_at(met);
+            return next();
+        }
+        if (std::abs(step.dt) == left_)
+            curve_.last.time = until_;
+        const bool inside = steps_.arrive(curve_);
+        if constexpr (can_wait)
+            if (missed(steps_.field())) // whether it is inside is looked up again
+                return wait_at(steps_.waypoint());
+        if (!inside)
+            curve_.end = CurveEnd::Domain;
+        return next();
+    }
+
+  private:
+    static constexpr bool can_wait = requires { typename Steps::Waypoint; };
+
+    Next next() {
+        if (curve_.end != CurveEnd::Running)
+            return Next::Done;
+        if ((curve_.attempts & 63u) == 0 && stop_.stop_requested())
+            return Next::Stopped;
+        left_ = std::abs(until_ - curve_.last.time);
+        if (left_ <= 1e-12 * std::abs(curve_.duration)) {
+            if (std::abs(until_) >= std::abs(curve_.duration) * (1.0 - 1e-12))
+                curve_.end = CurveEnd::Time;
+            return Next::Done;
+        }
+        if (curve_.attempts >= options_.most_steps) {
+            curve_.end = CurveEnd::Budget;
+            return Next::Done;
+        }
+        if constexpr (can_wait)
+            if (place_ != nullptr)
+                here_ = steps_.waypoint();
+        next_dt_ = curve_.next_dt;
+        // Memory is asked for where no brick is being read: those who hold bricks may have to give them up.
+        return place_ != nullptr && !room_for_step(curve_, options_) ? wait_at(here_)
+                                                                     : Next::Attempt;
+    }
+
+    /// The attempt does not count.
+    Next again() {
+        --curve_.attempts;
+        curve_.next_dt = next_dt_;
+        return wait_at(here_);
+    }
+
+    Next wait_at(const typename WaypointOf<Steps>::Type& here) {
+        if (place_ != nullptr)
+            *place_ = here;
+        return Next::Done;
+    }
+
+    Steps steps_;
+    Curve& curve_;
+    const TraceOptions& options_;
+    double until_;
+    const std::stop_token& stop_;
+    Keep keep_;
+    WaitingAt<Steps>* place_;
+    double left_ = 0.0;
+    double next_dt_ = 0.0;                    ///< before the attempt
+    typename WaypointOf<Steps>::Type here_{}; ///< where it set out to it
+};
+
+/// Advances a curve by itself. Returns false if it was stopped. The parameters are those of CurveAdvance.
 template <CurveSteps Steps, class Keep>
 bool advance_steps(Steps steps,
                    Curve& curve,
@@ -173,97 +328,37 @@ bool advance_steps(Steps steps,
                    const std::stop_token& stop,
                    const Keep& keep,
                    WaitingAt<Steps>* place = nullptr) {
-    constexpr bool can_wait = requires {
-        typename Steps::Waypoint;
-    };
-    const auto wait_at = [&](const auto& here) {
-        if (place != nullptr)
-            *place = here;
-        return true;
-    };
-    const PointStatus status = [&] {
-        if constexpr (can_wait)
-            if (place != nullptr && *place)
-                return steps.resume(**place);
-        return steps.begin(curve);
-    }();
-    if (missed(steps.field()))
-        return true;
-    if (status != PointStatus::Inside)
-        curve.end = end_at(status);
+    using Advance = CurveAdvance<Steps, Keep>;
+    Advance advance(std::move(steps), curve, options, until, stop, keep, place);
     CurveStep step;
-    while (curve.end == CurveEnd::Running) {
-        if ((curve.attempts & 63u) == 0 && stop.stop_requested())
-            return false;
-        const double left = std::abs(until - curve.last.time);
-        if (left <= 1e-12 * std::abs(curve.duration)) {
-            if (std::abs(until) >= std::abs(curve.duration) * (1.0 - 1e-12))
-                curve.end = CurveEnd::Time;
-            return true;
-        }
-        if (curve.attempts >= options.most_steps) {
-            curve.end = CurveEnd::Budget;
-            return true;
-        }
-        const auto here = [&] {
-            if constexpr (can_wait)
-                return steps.waypoint();
-            else
-                return std::monostate();
-        }();
-        // Memory is asked for where no brick is being read: those who hold bricks may have to give them up.
-        if (place != nullptr && !room_for_step(curve, options))
-            return wait_at(here);
-        const double next_dt = curve.next_dt;
-        const StepOutcome outcome = steps.attempt(curve, left, step);
-        ++curve.attempts;
-        if (missed(steps.field())) {
-            --curve.attempts;
-            curve.next_dt = next_dt;
-            return wait_at(here);
-        }
-        if (outcome == StepOutcome::Stagnation)
-            curve.end = end_at_rest(steps.field(), curve.last.position);
-        if (outcome != StepOutcome::Taken)
-            continue;
-        step.time = curve.last.time;
-        // Before any other test: the steps of cells have their place there.
-        if (options.expansion)
-            step.expansion =
-                static_cast<float>(expansion_in(steps, step, curve.release, options.frozen));
-        if (options.stretch)
-            curve.stretches.push_back(
-                carry_stretch(steps, step, curve.last.stretch, curve.release, options.frozen));
-        PointStatus met = PointStatus::Inside;
-        const double theta = steps.inside_until(step, met);
-        if (missed(steps.field())) {
-            if (options.stretch)
-                curve.stretches.pop_back();
-            --curve.attempts;
-            curve.next_dt = next_dt;
-            return wait_at(here);
-        }
-        take_step(curve, step, theta);
-        if (!keep(step))
-            return false;
-        if (theta < 1.0) {
-            curve.end = end_at(met);
-            continue;
-        }
-        if (std::abs(step.dt) == left)
-            curve.last.time = until;
-        const bool inside = steps.arrive(curve);
-        if constexpr (can_wait)
-            if (missed(steps.field())) // whether it is inside is looked up again
-                return wait_at(steps.waypoint());
-        if (!inside)
-            curve.end = CurveEnd::Domain;
-    }
-    return true;
+    typename Advance::Next next = advance.begin();
+    while (next == Advance::Next::Attempt)
+        next = advance.took(advance.steps().attempt(curve, advance.left(), step), step);
+    return next != Advance::Next::Stopped;
 }
 
-/// Advances from where the curve ends, or its seed, and the curve keeps its steps, or the options' watch sees
-/// them. Returns false also where there is no memory.
+/// The curve keeps its steps, or the options' watch sees them.
+struct KeepInCurve {
+    Curve& curve;
+    const TraceOptions& options;
+
+    /// Returns false where there is no memory.
+    bool operator()(const CurveStep& step) const {
+        if (options.watch == nullptr)
+            return keep_step(curve, step, options);
+        if (!(*options.watch)(curve, step))
+            curve.end = CurveEnd::Time;
+        return true;
+    }
+};
+
+/// Puts a curve that has not been advanced yet where it begins.
+inline void set_out(Curve& curve) {
+    curve.last = {curve.seed, 0.0, 0.0, curve.seed_tangent};
+}
+
+/// Advances from where the curve ends, or its seed, and keeps the steps in it. Returns false also where there
+/// is no memory.
 template <CurveSteps Steps>
 bool advance_curve(Steps steps,
                    Curve& curve,
@@ -272,15 +367,9 @@ bool advance_curve(Steps steps,
                    const std::stop_token& stop,
                    WaitingAt<Steps>* place = nullptr) {
     if (curve.attempts == 0 && (place == nullptr || !*place))
-        curve.last = {curve.seed, 0.0, 0.0, curve.seed_tangent};
-    const auto keep = [&](const CurveStep& step) {
-        if (options.watch == nullptr)
-            return keep_step(curve, step, options);
-        if (!(*options.watch)(curve, step))
-            curve.end = CurveEnd::Time;
-        return true;
-    };
-    return advance_steps(std::move(steps), curve, options, until, stop, keep, place);
+        set_out(curve);
+    return advance_steps(std::move(steps), curve, options, until, stop, KeepInCurve{curve, options},
+                         place);
 }
 
 } // namespace wakesurf::core

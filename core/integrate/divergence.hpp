@@ -5,11 +5,14 @@
 
 namespace wakesurf::core {
 
-/// Returns the trace of (grad v), which is given as a function of w.
+/// Returns the trace of (grad v), which is given as a function of w, and may know it.
 template <class Gradient>
 double divergence_of(const Gradient& gradient) {
-    return gradient(Vec3(1.0, 0.0, 0.0)).x + gradient(Vec3(0.0, 1.0, 0.0)).y +
-           gradient(Vec3(0.0, 0.0, 1.0)).z;
+    if constexpr (requires { gradient.divergence(); })
+        return gradient.divergence();
+    else
+        return gradient(Vec3(1.0, 0.0, 0.0)).x + gradient(Vec3(0.0, 1.0, 0.0)).y +
+               gradient(Vec3(0.0, 0.0, 1.0)).z;
 }
 
 /// @param field  a VelocityField; those that know better have a divergence(p, t) of their own

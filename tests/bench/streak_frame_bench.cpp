@@ -1,8 +1,8 @@
 // Frames of an animated streak or time surface: every step carries 100,000 vertices, refines the mesh and
 // releases what is due.
-#include "core/base/loop_times.hpp"
 #include "core/surface/moving/moving_surface.hpp"
 #include "tests/bench/benchmarks.hpp"
+#include "tests/bench/support/division.hpp"
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/one_core.hpp"
 #include "tests/bench/support/sampled_flows.hpp"
@@ -10,7 +10,6 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -35,12 +34,6 @@ double planned_bytes(const core::MovingMesh& mesh) {
            100.0 * static_cast<double>(mesh.triangles.quads());
 }
 
-double wall_seconds_of(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 void step(core::MovingSurface& surface) {
     if (surface.time() == surface.end_time())
         throw std::runtime_error("the series ended before the last frame");
@@ -52,29 +45,6 @@ const core::Clock& steady_clock() {
     static const core::SteadyClock clock;
     return clock;
 }
-
-/// Where the time of frames goes that one thread makes: into loops that threads share, and into what waits for one.
-struct Division {
-    double work = 0.0, shared = 0.0; ///< seconds
-    std::vector<core::LoopTimes::Taken> loops;
-
-    void add(double seconds, std::span<const core::LoopTimes::Taken> more) {
-        work += seconds;
-        for (const auto& each : more)
-            shared += each.seconds;
-        loops.insert(loops.end(), more.begin(), more.end());
-    }
-
-    double serial() const { return work - shared; }
-
-    /// The time on so many cores that all are as fast as one alone, which memory they share does not allow: a bound.
-    double on_cores(double cores) const {
-        double sum = serial();
-        for (const auto& each : loops)
-            sum += each.seconds / std::max(1.0, std::min(cores, each.tasks));
-        return sum;
-    }
-};
 
 struct Grown {
     core::SurfaceKind kind;

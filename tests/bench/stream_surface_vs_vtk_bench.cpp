@@ -1,5 +1,6 @@
 #include "core/surface/builder/surface_builder.hpp"
 #include "tests/bench/benchmarks.hpp"
+#include "tests/bench/support/division.hpp"
 #include "tests/bench/support/interleaved.hpp"
 #include "tests/bench/support/one_core.hpp"
 #include "tests/bench/vtk/stream_surface.hpp"
@@ -114,6 +115,19 @@ struct Times {
     Timed ours, vtk;
 };
 
+/// What two threads can share of making our surface, several times.
+Division division_of(const Match& m) {
+    return on_one_core([&] {
+        Division division;
+        for (int i = 0; i < repetitions; ++i) {
+            const core::LoopTimes times;
+            const double wall = wall_seconds_of([&] { build(m.parameters); });
+            division.add(wall, times.loops());
+        }
+        return division;
+    });
+}
+
 /// All sizes of both contenders in turn, so that growth is a ratio of neighbours in time as well.
 const std::vector<Times>& times() {
     static const std::vector<Times> all = [] {
@@ -154,6 +168,9 @@ void measure_time(benchmark::State& state, std::size_t which) {
         state.counters["vtk_longest_edge_cells"] = m.vtk_result.longest_side() / cell;
         state.counters["area_cells"] = area(m.result) / (cell * cell);
         state.counters["vtk_area_cells"] = m.vtk_result.area() / (cell * cell);
+        const Division division = division_of(m);
+        state.counters["serial_share"] = division.serial() / division.work;
+        state.counters["bound_on_2_cores"] = division.work / division.on_cores(2.0);
         if (which > 0) {
             const Match& small = matches()[0];
             state.counters["quads_growth"] = m.quads() / small.quads();

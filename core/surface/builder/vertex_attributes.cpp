@@ -1,5 +1,6 @@
 #include "core/surface/builder/vertex_attributes.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/patches/side_curve.hpp"
 
 #include <algorithm>
@@ -15,13 +16,13 @@ std::vector<float> deformation_of(const SheetMesh& mesh,
                                   const SeedingCurve& seeding,
                                   const std::vector<Vec3>& seed_velocity) {
     std::vector<float> result(mesh.complex.vertices());
-    for (std::size_t i = 0; i < result.size(); ++i) {
+    for_each_index(result.size(), [&](std::size_t i) {
         const double now = glm::length(glm::cross(mesh.stretch[i], velocity[i]));
         const double birth =
             glm::length(glm::cross(seeding.tangent(mesh.complex.s[i]), seed_velocity[i]));
         // A rake along the flow sweeps no area; the ratio is then taken as unchanged.
         result[i] = now > 0.0 && birth > 0.0 ? static_cast<float>(std::log2(now / birth)) : 0.0f;
-    }
+    });
     return result;
 }
 
@@ -83,8 +84,7 @@ Result<void> add_attributes(SheetMesh& mesh, const SurfacePlan& plan, std::stop_
         return {};
 
     std::vector<Vec3> seeds(complex.vertices());
-    for (std::size_t i = 0; i < seeds.size(); ++i)
-        seeds[i] = plan.seeding.at(complex.s[i]);
+    for_each_index(seeds.size(), [&](std::size_t i) { seeds[i] = plan.seeding.at(complex.s[i]); });
     times.assign(complex.vertices(), p.from);
     std::vector<Vec3> at_birth(complex.vertices());
     if (auto sampled = flow.sample(seeds, times, at_birth, stop, smooth); !sampled)

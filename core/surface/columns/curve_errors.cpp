@@ -1,10 +1,7 @@
 #include "core/surface/columns/curve_errors.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/carried_error.hpp"
-
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,14 +66,14 @@ CurveErrors::CurveErrors(std::vector<const SeededCurve*> curves, const std::stop
     std::sort(curves_.begin(), curves_.end(), before);
     curves_.erase(std::unique(curves_.begin(), curves_.end()), curves_.end());
     knots_.resize(curves_.size());
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, curves_.size(), 4), [&](const auto& range) {
-                for (std::size_t i = range.begin(); i != range.end() && !stop.stop_requested(); ++i)
-                    knots_[i] = along(*curves_[i], i > 0 ? curves_[i - 1] : nullptr,
-                                      i + 1 < curves_.size() ? curves_[i + 1] : nullptr);
-            });
-    });
+    for_each_index(
+        curves_.size(),
+        [&](std::size_t i) {
+            if (!stop.stop_requested())
+                knots_[i] = along(*curves_[i], i > 0 ? curves_[i - 1] : nullptr,
+                                  i + 1 < curves_.size() ? curves_[i + 1] : nullptr);
+        },
+        4);
 }
 
 std::vector<CurveErrors::Knot>

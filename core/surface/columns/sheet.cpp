@@ -1,8 +1,8 @@
 #include "core/surface/columns/sheet.hpp"
 
+#include "core/base/for_each_index.hpp"
+
 #include <glm/vec3.hpp>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -175,22 +175,24 @@ std::vector<std::vector<std::uint32_t>>
 find_bends(std::span<const Strip> strips, bool closed, double least_cosine, double least_width) {
     const Bends bends(least_cosine, least_width);
     std::vector<StripFaces> all(strips.size());
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t i) {
+    for_each_index(
+        strips.size(),
+        [&](std::size_t i) {
             all[i].make(strips[i]);
             mark_inner_columns(bends, all[i], 0);
-        });
-    });
+        },
+        1);
     const auto mark_right_of = [&](std::size_t i) {
         bends.mark({all[i], 0, 1}, {all[(i + 1) % all.size()], 0, 0});
     };
     for (std::size_t odd = 0; odd < 2; ++odd) // every second column, so that no strip is on two
-        tbb::this_task_arena::isolate([&] {
-            tbb::parallel_for(std::size_t{0}, all.size() / 2, [&](std::size_t i) {
+        for_each_index(
+            all.size() / 2,
+            [&](std::size_t i) {
                 if (2 * i + odd + 1 < all.size())
                     mark_right_of(2 * i + odd);
-            });
-        });
+            },
+            1);
     if (closed && !all.empty())
         mark_right_of(all.size() - 1);
     std::vector<std::vector<std::uint32_t>> rows(strips.size());
@@ -284,12 +286,13 @@ void Sheet::make_end_columns(const std::stop_token& stop) {
     for (const double s : seeds_)
         if (SeededCurve* end = curve_at_.at(s); end->column.position.empty())
             ends.push_back(end);
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(std::size_t{0}, ends.size(), [&](std::size_t i) {
+    for_each_index(
+        ends.size(),
+        [&](std::size_t i) {
             if (!stop.stop_requested())
                 ends[i]->column = make_column(ends[i]->s, ends[i]->curve, 0.0, limits_.spacing);
-        });
-    });
+        },
+        1);
 }
 
 /// Returns the quads that there are then. Error: Cancelled.
@@ -297,12 +300,13 @@ Result<std::size_t>
 Sheet::zip(const std::vector<std::size_t>& dirty, const Clock& clock, const std::stop_token& stop) {
     const auto start = clock.now();
     make_end_columns(stop);
-    tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(std::size_t{0}, dirty.size(), [&](std::size_t i) {
+    for_each_index(
+        dirty.size(),
+        [&](std::size_t i) {
             if (!stop.stop_requested())
                 strips_[dirty[i]].zip(limits_);
-        });
-    });
+        },
+        1);
     if (stop.stop_requested())
         return fail(Error::Code::Cancelled, "the surface was cancelled");
     seconds_.refine += elapsed(clock, start);

@@ -1,5 +1,6 @@
 #include "core/surface/columns/sheet_mesh.hpp"
 
+#include "core/base/for_each_index.hpp"
 #include "core/surface/columns/column_merge.hpp"
 #include "core/surface/columns/curve_errors.hpp"
 
@@ -70,19 +71,24 @@ class ColumnNumbers {
 };
 
 std::vector<Cell> cells_of(const Sheet& sheet, const ColumnNumbers& numbers) {
-    std::vector<Cell> cells;
-    std::size_t quads = 0;
-    for (const Strip& strip : sheet.strips())
-        quads += strip.quads();
-    cells.reserve(quads);
-    for (std::size_t i = 0; i < sheet.strips().size(); ++i)
-        sheet.strips()[i].for_each_cell([&](const StripCell& from) {
-            Cell& cell = cells.emplace_back();
-            for (std::size_t k = 0; k < 4; ++k) {
-                cell.corner[k] = numbers.of(i, from.corner[k]);
-                cell.mid[k] = numbers.of(i, from.mid[k]);
-            }
-        });
+    const std::vector<Strip>& strips = sheet.strips();
+    std::vector<std::size_t> first{0};
+    for (const Strip& strip : strips)
+        first.push_back(first.back() + strip.quads());
+    std::vector<Cell> cells(first.back());
+    for_each_index(
+        strips.size(),
+        [&](std::size_t i) {
+            Cell* cell = cells.data() + first[i];
+            strips[i].for_each_cell([&](const StripCell& from) {
+                for (std::size_t k = 0; k < 4; ++k) {
+                    cell->corner[k] = numbers.of(i, from.corner[k]);
+                    cell->mid[k] = numbers.of(i, from.mid[k]);
+                }
+                ++cell;
+            });
+        },
+        1);
     return cells;
 }
 
@@ -133,36 +139,42 @@ std::vector<VertexId> append_vertices(SheetMesh& mesh,
         curves.push_back(entry.column.curve);
     const CurveErrors errors(std::move(curves), stop);
     QuadComplex& complex = mesh.complex;
-    const std::size_t total = complex.vertices() + numbers.count();
-    complex.position.reserve(total);
-    complex.s.reserve(total);
-    complex.t.reserve(total);
-    complex.approximated.reserve(total);
-    complex.error.reserve(total);
-    mesh.stretch.reserve(total);
-    for (const auto& entry : numbers.entries()) {
-        if (stop.stop_requested())
-            return id;
-        const double s = entry.column.curve->s;
+    const std::size_t before = complex.vertices();
+    std::size_t total = before;
+    for (const auto& entry : numbers.entries())
         for (VertexId k = 0; k < entry.span.count; ++k) {
             VertexId& own = id[entry.span.first + k];
             if (own != used)
                 continue;
-            const auto next = static_cast<VertexId>(complex.vertices());
+            const auto next = static_cast<VertexId>(total);
             own = entry.column.depth == 0 && k == 0
-                      ? mesh.on_rake.try_emplace(s, next).first->second
+                      ? mesh.on_rake.try_emplace(entry.column.curve->s, next).first->second
                       : next;
-            if (own != next)
-                continue; // the sheet of the other direction made it
-            const Column& column = *entry.column.column;
-            complex.position.push_back(column.position[k]);
-            complex.s.push_back(s);
-            complex.t.push_back(column.time[k]);
-            complex.approximated.push_back(0);
-            complex.error.push_back(errors.at(entry.column.curve, column.arc[k]));
-            mesh.stretch.push_back(column.stretch[k]);
+            total += own == next; // else the sheet of the other direction made it
         }
-    }
+    complex.position.resize(total);
+    complex.s.resize(total);
+    complex.t.resize(total);
+    complex.approximated.resize(total, 0);
+    complex.error.resize(total);
+    mesh.stretch.resize(total);
+    for_each_index(
+        numbers.entries().size(),
+        [&](std::size_t i) {
+            const auto& entry = numbers.entries()[i];
+            const Column& column = *entry.column.column;
+            for (VertexId k = 0; k < entry.span.count && !stop.stop_requested(); ++k) {
+                const VertexId own = id[entry.span.first + k];
+                if (own == no_vertex || own < before)
+                    continue;
+                complex.position[own] = column.position[k];
+                complex.s[own] = entry.column.curve->s;
+                complex.t[own] = column.time[k];
+                complex.error[own] = errors.at(entry.column.curve, column.arc[k]);
+                mesh.stretch[own] = column.stretch[k];
+            }
+        },
+        8);
     return id;
 }
 
@@ -178,7 +190,8 @@ bool append_sheet(SheetMesh& mesh, const Sheet& sheet, const std::stop_token& st
     const std::vector<VertexId> id = append_vertices(mesh, numbers, cells, stop);
     if (stop.stop_requested())
         return false;
-    for (Cell& cell : cells) {
+    for_each_index(cells.size(), [&](std::size_t i) {
+        Cell& cell = cells[i];
         for (std::size_t k = 0; k < 4; ++k) {
             cell.corner[k] = id[cell.corner[k]];
             if (cell.mid[k] != no_vertex)
@@ -186,7 +199,7 @@ bool append_sheet(SheetMesh& mesh, const Sheet& sheet, const std::stop_token& st
         }
         if (sheet.upstream())
             cell = mirror(cell); // both sheets of a rake face the same way
-    }
+    });
     if (mesh.complex.cells.empty())
         mesh.complex.cells = std::move(cells);
     else

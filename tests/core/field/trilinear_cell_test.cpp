@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 namespace wakesurf::core::trilinear_cell_test {
@@ -126,6 +127,43 @@ TEST(TrilinearCell, CurvesEqualTinyRungeKuttaStepsThroughTheSampledField) {
                               2e-6 * (1.0 + exact[i].last.arc))
                         << c.name << " " << i << " at " << signed_time;
                 }
+            }
+        }
+}
+
+TEST(TrilinearCell, TangentsAndExpansionEqualThoseOfTinyRungeKuttaSteps) {
+    const auto expansion = [](const Curve& curve) {
+        return std::accumulate(
+            curve.steps.begin(), curve.steps.end(), 0.0,
+            [](double sum, const CurveStep& step) { return sum + double(step.expansion); });
+    };
+    for (const Sampled& c : flows())
+        for (const double duration : {+1.5, -1.5}) {
+            const auto flow = sampled(c.name, c.box, c.ball);
+            std::vector<Curve> exact = curves(c, duration);
+            for (Curve& curve : exact)
+                curve.seed_tangent = c.to - c.from;
+            std::vector<Curve> tiny = exact;
+            std::vector<Curve> alone = exact;
+            TraceOptions options{.frozen = c.kind == SurfaceKind::Stream,
+                                 .tolerance = 1e-10,
+                                 .longest_step = flow->finest_spacing(),
+                                 .stretch = true};
+            ASSERT_TRUE(flow->trace(exact, options, {}));
+            options.stretch = false;
+            ASSERT_TRUE(flow->trace(alone, options, {}));
+            options.stretch = true;
+            options.method = TraceOptions::Method::Rk4;
+            options.step = 5e-4;
+            ASSERT_TRUE(flow->trace(tiny, options, {}));
+            for (std::size_t i = 0; i < exact.size(); ++i) {
+                if (exact[i].end != CurveEnd::Time)
+                    continue;
+                const double length = glm::length(tiny[i].last.stretch);
+                EXPECT_LT(glm::length(exact[i].last.stretch - tiny[i].last.stretch), 2e-3 * length)
+                    << c.name << " " << i << " " << duration;
+                EXPECT_NEAR(expansion(exact[i]), expansion(tiny[i]), 4e-3) << c.name << " " << i;
+                EXPECT_NEAR(expansion(exact[i]), expansion(alone[i]), 2e-3) << c.name << " " << i;
             }
         }
 }
