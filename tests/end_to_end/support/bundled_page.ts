@@ -9,7 +9,7 @@ import { resolveFromWebClient } from '../../../web-client/tools/resolve_from_web
 import { projectRoot } from './project_root.ts';
 import { temporaryFolder } from './server_process.ts';
 
-const types: Record<string, string> = { js: 'text/javascript', html: 'text/html' };
+const types: Record<string, string> = { js: 'text/javascript', wasm: 'application/wasm', html: 'text/html' };
 
 const built = new Map<string, Promise<string>>();
 
@@ -33,6 +33,7 @@ async function buildPage(module: string): Promise<string> {
         build: {
             outDir: path,
             target: 'es2022',
+            assetsInlineLimit: 0,
             modulePreload: false,
             rollupOptions: {
                 input: join(projectRoot, 'tests/end_to_end/support', module),
@@ -59,7 +60,7 @@ export async function openBundledPage(
         const path = normalize(url).replace(/^\/+/, '') || 'index.html';
         response.setHeader('Content-Type', types[path.split('.').at(-1) ?? ''] ?? 'application/octet-stream');
         if (path === 'index.html') response.end('<!doctype html><script type="module" src="page.js"></script>');
-        else if (path.endsWith('.js')) response.end(readFileSync(join(folder, path)));
+        else if (/\.(js|wasm)$/.test(path)) response.end(readFileSync(join(folder, path)));
         else response.writeHead(404).end();
     });
     await new Promise<void>((resolve) => server.listen(0, '127.0.0.1', resolve));

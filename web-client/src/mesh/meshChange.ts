@@ -95,12 +95,20 @@ export type Sides = (use: (from: number, to: number) => void) => void;
  */
 export function borderOf(sides: Sides, vertices: number): Uint8Array {
     const met = new Int32Array(vertices);
-    sides((from, to) => {
-        met[from]! ^= mixed(to);
-        met[to]! ^= mixed(from);
-    });
-    const border = new Uint8Array(vertices);
-    for (let v = 0; v < vertices; ++v) if (met[v] !== 0) border[v] = 1;
+    sides((from, to) => meet(met, from, to));
+    return notZero(met);
+}
+
+/** Neighbours; a vertex that is met as its own changes nothing. */
+export function meet(met: Int32Array, from: number, to: number): void {
+    met[from]! ^= mixed(to);
+    met[to]! ^= mixed(from);
+}
+
+/** 1 for each vertex that has met others an odd number of times. */
+export function notZero(met: Int32Array): Uint8Array {
+    const border = new Uint8Array(met.length);
+    for (let v = 0; v < met.length; ++v) if (met[v] !== 0) border[v] = 1;
     return border;
 }
 

@@ -12,6 +12,9 @@ import { PointsReader } from './wirePoints.ts';
 /** Limits the bytes of an update that is not whole yet. */
 const maxUpdateBytes = 256 << 20;
 
+/** The memory of a state that had so many times the vertices of the one after it is given back. */
+const largestRoom = 4;
+
 /** An update in pieces, as they come. */
 interface Collected {
     header: FrameHeader; // of frame 0
@@ -120,7 +123,7 @@ export class MeshDecoder {
     private apply(update: Collected): AppliedUpdate {
         const { header: h } = update;
         const numbers = new Numbers(joined(update));
-        const mesh = h.key ? new WireMesh(h.latticeBits, readRanges(numbers, h)) : this.state!;
+        const mesh = h.key ? this.emptied(numbers, h) : this.state!;
         if (mesh.ranges.some(({ gaps }, i) => gaps !== hasGaps(h, i))) {
             throw new FrameError('a mesh update has other gaps than the one before');
         }
@@ -132,6 +135,17 @@ export class MeshDecoder {
         this.surface = h.surface;
         this.state = mesh;
         return { header: h, edit, mesh };
+    }
+
+    /** The state that a KEY begins with. */
+    private emptied(numbers: Numbers, h: FrameHeader): WireMesh {
+        const ranges = readRanges(numbers, h);
+        const { state } = this;
+        return new WireMesh(
+            h.latticeBits,
+            ranges,
+            state !== undefined && state.vertices <= largestRoom * h.vertices ? state : undefined,
+        );
     }
 }
 

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { seededRandom } from './testing/randomSurface.ts';
-import { WordSum, wordSum } from './wireMesh.ts';
+import { WireMesh, WordSum, wordSum } from './wireMesh.ts';
 
 test('equals its definition in whole numbers without overflow', () => {
     const random = seededRandom(5);
@@ -44,5 +44,30 @@ test('changes with any change of one word', () => {
         words[i]! ^= 1 << (i & 31);
         expect(wordSum(words)).not.toBe(before);
         words[i]! ^= 1 << (i & 31);
+    }
+});
+
+test('of a state in the memory of another is as in memory of its own', () => {
+    const random = seededRandom(8);
+    const ranges = [0, 1].map(() => ({ lo: 0, hi: 1, gaps: false }));
+    const filled = (mesh: WireMesh, vertices: number, cells: Int32Array): WireMesh => {
+        mesh.beginVertices({ all: [], count: 0 }, vertices);
+        mesh.position.values.fill(7, 0, 3 * vertices);
+        for (const { values } of mesh.codes) values.fill(9, 0, vertices);
+        mesh.appendCells(cells);
+        mesh.cellsChanged(0);
+        return mesh;
+    };
+    const some = (cells: number, vertices: number): Int32Array =>
+        Int32Array.from({ length: 8 * cells }, (_, i) => ((i & 7) < 4 ? random() % vertices : -1));
+    const before = filled(new WireMesh(16, ranges), 500, some(400, 500));
+    before.position.change.fill(3);
+    const cells = some(100, 120);
+    const own = filled(new WireMesh(16, ranges), 120, cells);
+    const again = filled(new WireMesh(16, ranges, before), 120, cells);
+    expect(again.stateSum()).toBe(own.stateSum());
+    expect(again.position.change.slice(0, 360)).toEqual(own.position.change.slice(0, 360));
+    for (const name of ['highest', 'lowest', 'beside', 'beside2', 'opposite'] as const) {
+        expect(again.neighbours[name].slice(0, 120)).toEqual(own.neighbours[name].slice(0, 120));
     }
 });

@@ -54,17 +54,20 @@ export class WireMesh {
     readonly ranges: readonly AttributeRange[];
     readonly position: Channel;
     readonly codes: readonly Channel[]; // one an attribute
-    readonly neighbours = new Neighbours();
+    readonly neighbours: Neighbours;
     vertices = 0;
     cellCount = 0;
-    private cellRoom = new Int32Array(0);
+    private cellRoom: Int32Array;
     private cellSum = new WordSum();
 
-    constructor(latticeBits: number, ranges: readonly AttributeRange[]) {
+    /** @param ended a state that is no more: its memory is used again, as to get new memory for a large mesh takes long */
+    constructor(latticeBits: number, ranges: readonly AttributeRange[], ended?: WireMesh) {
         this.latticeBits = latticeBits;
         this.ranges = ranges;
-        this.position = new Channel(3, 2 ** latticeBits - 1);
-        this.codes = ranges.map(() => new Channel(1, lastCode));
+        this.position = ended?.latticeBits === latticeBits ? ended.position : new Channel(3, 2 ** latticeBits - 1);
+        this.codes = ranges.map((_, i) => ended?.codes[i] ?? new Channel(1, lastCode));
+        this.neighbours = ended?.neighbours ?? new Neighbours();
+        this.cellRoom = ended?.cellRoom ?? new Int32Array(0);
     }
 
     /** cellStride ids a cell, noVertex as -1. */

@@ -27,6 +27,7 @@ export class DisplayArrays {
      *  it. */
     curved = false;
     private positions = new Float32Array(0);
+    private seeds = new Float32Array(0);
     private indices = new Uint32Array(0);
     private triangles = 0;
     private cellsCut = 0;
@@ -130,6 +131,7 @@ export class DisplayArrays {
         this.positions = grown(this.positions, 3 * vertices);
         const nodes = mesh.position.values.subarray(3 * fromVertex, 3 * vertices);
         dequantise(this.lattice, nodes, this.positions.subarray(3 * fromVertex));
+        this.fillSeeds(mesh, Math.min(fromVertex, fromSeed));
         const fromIndex = this.cutNewCells(mesh.cells);
         const normals = new Float32Array(3 * (vertices - fromNormal));
         addNormals(this.positions, this.indices.subarray(0, 3 * this.triangles), fromNormal, normals);
@@ -141,7 +143,7 @@ export class DisplayArrays {
             fromNormal,
             normals,
             fromSeed,
-            seeds: this.seedsOf(mesh, fromSeed),
+            seeds: this.seeds.slice(2 * fromSeed, 2 * vertices),
             tFrom: this.rangeOf(mesh, 't')?.lo ?? 0,
             scalars: this.scalarsOf(mesh),
             fromIndex,
@@ -170,11 +172,11 @@ export class DisplayArrays {
         return 3 * before;
     }
 
-    private seedsOf(mesh: WireMesh, from: number): Float32Array {
-        const seeds = new Float32Array(2 * (mesh.vertices - from));
+    private fillSeeds(mesh: WireMesh, from: number): void {
+        this.seeds = grown(this.seeds, 2 * mesh.vertices);
+        const seeds = this.seeds.subarray(2 * from);
         this.fill(mesh, 's', from, seeds, 2, 0);
         this.fill(mesh, 't', from, seeds, 2, 1, this.rangeOf(mesh, 't')?.lo);
-        return seeds;
     }
 
     private scalarsOf(mesh: WireMesh): ScalarChange[] {
@@ -193,8 +195,8 @@ export class DisplayArrays {
         const { parts: wanted, trimmed } = this.wish;
         const [partsAsked, cutAsked] = [this.partsRequested && wanted !== null, this.cutRequested];
         this.partsRequested = this.cutRequested = false;
-        const seeds = partsAsked || cutAsked ? this.seedsOf(mesh, 0) : new Float32Array(0);
         const { cells, vertices } = mesh;
+        const seeds = this.seeds.subarray(0, 2 * vertices);
         const from = { seeds, tFrom: this.rangeOf(mesh, 't')?.lo ?? 0 };
         const found = wanted === null || !(partsAsked || cutAsked) ? null : findParts(cells, vertices, from, wanted);
         const parts = partsAsked ? (found?.parts ?? null) : null;
@@ -203,8 +205,8 @@ export class DisplayArrays {
         const trimming = trimmed ? trimTornBorder({ cells, vertices, positions, isEnd: endsOf(seeds) }) : null;
         const hides = found?.parts.some(({ hidden }) => hidden) === true;
         if (trimming === null && !hides) return { parts, cut: { levels: new Uint8Array(0), trimmedCells: 0 } };
-        const levels = found?.hidden ?? new Uint8Array(vertices);
-        trimming?.levels.forEach((level, v) => (levels[v] = Math.max(level, levels[v]!)));
+        const levels = trimming?.levels ?? new Uint8Array(vertices);
+        if (hides) found.hidden.forEach((level, v) => (levels[v] = Math.max(level, levels[v]!)));
         return { parts, cut: { levels, trimmedCells: trimming?.cells ?? 0 } };
     }
 
@@ -214,7 +216,7 @@ export class DisplayArrays {
         this.unitsRequested = false;
         const { positions } = this;
         const indices = this.indices.subarray(0, 3 * this.triangles);
-        return unitLengths({ positions, indices, seeds: this.seedsOf(mesh, 0), vertices: mesh.vertices }, units === 'closed');
+        return unitLengths({ positions, indices, seeds: this.seeds, vertices: mesh.vertices }, units === 'closed');
     }
 
     private unresolvedOf({ vertices }: WireMesh): Float32Array | null {
@@ -245,9 +247,7 @@ export class DisplayArrays {
         const range = this.rangeOf(mesh, name);
         if (values === undefined || range === undefined) return;
         const shifted = { ...range, lo: range.lo - origin, hi: range.hi - origin };
-        for (let i = from, at = offset; i < mesh.vertices; ++i, at += stride) {
-            into[at] = valueOf(shifted, values[i]!);
-        }
+        for (let i = from, at = offset; i < mesh.vertices; ++i, at += stride) into[at] = valueOf(shifted, values[i]!);
     }
 }
 

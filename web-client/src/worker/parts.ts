@@ -17,14 +17,17 @@ export function rootsOf(cells: Int32Array, vertices: number): Int32Array {
         return at;
     };
     for (let base = 0; base < cells.length; base += cellStride) {
-        const first = cells[base]!;
-        for (let i = 1; i < cellStride; ++i) {
-            const other = cells[base + i]!;
-            if (other === noVertex) continue;
-            const [a, b] = [find(first), find(other)];
+        let root = find(cells[base]!);
+        for (let i = base + 1; i < base + cellStride; ++i) {
+            const other = cells[i]!;
+            if (other === noVertex || parent[other] === root) continue;
             // The lower one leads, so that a part keeps its root while it grows.
-            if (a < b) parent[b] = a;
-            else parent[a] = b;
+            const joined = find(other);
+            if (root < joined) parent[joined] = root;
+            else {
+                parent[root] = joined;
+                root = joined;
+            }
         }
     }
     for (let i = 0; i < vertices; ++i) parent[i] = find(i);

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { borderOf, cutLevel, wholeCut } from '../mesh/meshChange.ts';
-import { eachSide, type TornSurface, type Trimming, trimTornBorder } from './tornBorder.ts';
+import { cutLevel, wholeCut } from '../mesh/meshChange.ts';
+import { borderOfCells, type TornSurface, type Trimming, trimTornBorder } from './tornBorder.ts';
 
 /** A flat sheet with a quad where `is` says so; its border is torn, but for where it `ends`. */
 class Grid {
@@ -69,13 +69,13 @@ class Grid {
 
 const none = (): boolean => false;
 
-describe('borderOf', () => {
+describe('borderOfCells', () => {
     it('is where a side belongs to one cell alone, over mids too', () => {
         // Two columns of which the right one is cut once: its new vertex hangs on the left cell.
         const cells = Int32Array.from([0, 1, 4, 3, -1, 6, -1, -1, 1, 2, 7, 6, -1, -1, -1, -1, 6, 7, 5, 4, -1, -1, -1, -1]);
-        expect([...borderOf((use) => eachSide(cells, new Uint8Array(3), use), 8)]).toEqual([1, 1, 1, 1, 1, 1, 0, 1]);
+        expect([...borderOfCells(cells, 8)]).toEqual([1, 1, 1, 1, 1, 1, 0, 1]);
         const { surface } = new Grid(20, 20, () => true, none);
-        const border = borderOf((use) => eachSide(surface.cells, new Uint8Array(400), use), surface.vertices);
+        const border = borderOfCells(surface.cells, surface.vertices);
         expect(border.reduce((sum, each) => sum + each, 0)).toBe(80);
     });
 });

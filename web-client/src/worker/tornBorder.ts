@@ -2,7 +2,7 @@
 // quads that stick out one by one, crumbs, and of the quads along the border what lies outside of a smooth
 // line. Levels of the vertices say so, and the GPU cuts where levels between vertices pass `cutLevel`: cells,
 // triangles and vertices stay as the server has sent them.
-import { borderOf, cutLevel, wholeCut } from '../mesh/meshChange.ts';
+import { cutLevel, meet, notZero, wholeCut } from '../mesh/meshChange.ts';
 import { cellStride, noVertex } from '../protocol/wireMesh.ts';
 import { rootsOf } from './parts.ts';
 
@@ -22,31 +22,46 @@ const wholeOverCrumb = 50;
 /** Null: nothing is cut. */
 export function trimTornBorder(surface: TornSurface): Trimming | null {
     const { cells, vertices, isEnd } = surface;
-    const whole = new Uint8Array(cells.length / cellStride);
-    const torn = borderOf((use) => eachSide(cells, whole, use), vertices);
+    const border = borderOfCells(cells, vertices);
+    const torn = border.slice();
     for (let v = 0; v < vertices; ++v) if (torn[v] !== 0 && isEnd(v)) torn[v] = 0;
     if (!torn.includes(1)) return null;
     const gone = leftOut(surface, torn);
     const levels = new Uint8Array(vertices);
+    let [left, borderLeft] = [cells, border];
     if (gone.includes(1)) {
-        eachVertex(cells, gone, 1, (v) => (levels[v] = wholeCut));
-        eachVertex(cells, gone, 0, (v) => (levels[v] = torn[v] !== 0 ? cutLevel : 0));
+        left = cellsOf(cells, (base) => gone[base / cellStride] === 0);
+        borderLeft = borderOfCells(left, vertices);
+        levels.fill(wholeCut);
+        for (const v of left) if (v !== noVertex) levels[v] = torn[v] !== 0 ? cutLevel : 0;
     }
-    for (const [v, depth] of new BorderCord(surface, torn, gone).smooth()) levels[v] = Math.round(cutLevel / (1 - depth));
-    let cut = 0;
-    for (let base = 0; base < cells.length; base += cellStride) {
-        let touched = gone[base / cellStride] !== 0;
-        for (let i = 0; i < 4; ++i) touched ||= levels[cells[base + i]!]! > cutLevel;
+    // The rest is far from the border, and most of a surface.
+    const rim = cellsOf(left, (base) => hasOne(left, base, borderLeft, true));
+    const cord = new BorderCord({ ...surface, cells: rim }, torn, borderLeft);
+    for (const [v, depth] of cord.smooth()) levels[v] = Math.round(cutLevel / (1 - depth));
+    let cut = (cells.length - left.length) / cellStride;
+    for (let base = 0; base < rim.length; base += cellStride) {
+        let touched = false;
+        for (let i = 0; i < 4; ++i) touched ||= levels[rim[base + i]!]! > cutLevel;
         if (touched) ++cut;
     }
     return cut === 0 ? null : { levels, cells: cut };
 }
 
-function eachVertex(cells: Int32Array, gone: Uint8Array, which: 0 | 1, use: (vertex: number) => void): void {
-    for (let base = 0; base < cells.length; base += cellStride) {
-        if (gone[base / cellStride] !== which) continue;
-        for (let i = 0; i < cellStride; ++i) if (cells[base + i] !== noVertex) use(cells[base + i]!);
+function cellsOf(cells: Int32Array, is: (base: number) => boolean): Int32Array {
+    const bases: number[] = [];
+    for (let base = 0; base < cells.length; base += cellStride) if (is(base)) bases.push(base);
+    const some = new Int32Array(bases.length * cellStride);
+    bases.forEach((base, i) => some.set(cells.subarray(base, base + cellStride), i * cellStride));
+    return some;
+}
+
+/** Whether a vertex of the cell is marked, or one is not. */
+function hasOne(cells: Int32Array, base: number, marks: Uint8Array, marked: boolean): boolean {
+    for (let i = base; i < base + cellStride; ++i) {
+        if (cells[i] !== noVertex && (marks[cells[i]!] !== 0) === marked) return true;
     }
+    return false;
 }
 
 /** 1 for each cell that is not drawn at all. */
@@ -56,26 +71,20 @@ function leftOut({ cells, vertices, isEnd }: TornSurface, torn: Uint8Array): Uin
     const roots = rootsOf(cells, vertices);
     const size = new Int32Array(vertices);
     const thin = new Int32Array(vertices);
-    const ended = new Uint8Array(vertices);
     const thinCells: number[] = [];
     for (let base = 0; base < cells.length; base += cellStride) {
         const root = roots[cells[base]!]!;
         ++size[root]!;
-        let inside = false;
-        for (let i = 0; i < cellStride; ++i) {
-            const v = cells[base + i]!;
-            if (v === noVertex) continue;
-            inside ||= torn[v] === 0;
-            if (torn[v] === 0 && isEnd(v)) ended[root] = 1;
-        }
-        if (inside) continue;
+        if (hasOne(cells, base, torn, false)) continue;
         ++thin[root]!;
         thinCells.push(base);
     }
+    const isSmall = (root: number): boolean => size[root]! <= largestCrumb && size[root]! * wholeOverCrumb <= count;
+    const ended = new Uint8Array(vertices);
+    for (let v = 0; v < vertices; ++v) if (torn[v] === 0 && isSmall(roots[v]!) && isEnd(v)) ended[roots[v]!] = 1;
     for (let base = 0; base < cells.length; base += cellStride) {
         const root = roots[cells[base]!]!;
-        const crumb = ended[root] === 0 && size[root]! <= largestCrumb && size[root]! * wholeOverCrumb <= count;
-        if (crumb) gone[base / cellStride] = 1;
+        if (isSmall(root) && ended[root] === 0) gone[base / cellStride] = 1;
     }
     for (const tooth of chainsOf(thinCells, cells)) {
         const root = roots[cells[tooth[0]!]!]!;
@@ -140,20 +149,22 @@ export class BorderCord {
     private readonly depth: Float64Array;
     private readonly wanted: Float64Array;
 
-    constructor(surface: TornSurface, torn: Uint8Array, gone: Uint8Array) {
+    /** @param surface needs those cells alone that touch the border. @param torn 1 where the border is to be smooth */
+    constructor(surface: TornSurface, torn: Uint8Array, border: Uint8Array) {
         this.surface = surface;
-        const neighbours = neighboursOnBorder(surface.cells, surface.vertices, gone);
+        const neighbours = neighboursOnBorder(surface.cells, surface.vertices, border);
         this.vertices = [...neighbours.keys()];
         const count = this.vertices.length;
-        const placeOf = new Map(this.vertices.map((vertex, i) => [vertex, i]));
+        const placeOf = new Int32Array(surface.vertices).fill(-1);
+        this.vertices.forEach((vertex, i) => (placeOf[vertex] = i));
         [this.before, this.after] = [new Int32Array(count).fill(-1), new Int32Array(count)];
         [this.inward, this.depth, this.wanted] = [new Float64Array(3 * count), new Float64Array(count), new Float64Array(count)];
-        const inside = this.insideOf(torn, gone, placeOf);
+        const inside = this.insideOf(torn, placeOf);
         this.vertices.forEach((vertex, i) => {
             const [before, after, ...more] = neighbours.get(vertex)!;
             const sum = inside.subarray(4 * i, 4 * i + 4);
             if (torn[vertex] === 0 || before === undefined || after === undefined || more.length > 0 || sum[3] === 0) return;
-            [this.before[i], this.after[i]] = [placeOf.get(before)!, placeOf.get(after)!];
+            [this.before[i], this.after[i]] = [placeOf[before]!, placeOf[after]!];
             for (let k = 0; k < 3; ++k) this.inward[3 * i + k] = sum[k]! / sum[3]! - this.at(vertex, k);
         });
     }
@@ -211,26 +222,25 @@ export class BorderCord {
     }
 
     /** Sums of the places of what lies inside, and of how many: across a side, or else across a cell. */
-    private insideOf(torn: Uint8Array, gone: Uint8Array, placeOf: ReadonlyMap<number, number>): Float64Array {
-        const sums = new Float64Array(4 * placeOf.size);
+    private insideOf(torn: Uint8Array, placeOf: Int32Array): Float64Array {
+        const sums = new Float64Array(4 * this.vertices.length);
         const add = (vertex: number, inner: number): void => {
-            const sum = 4 * placeOf.get(vertex)!;
+            const sum = 4 * placeOf[vertex]!;
             for (let k = 0; k < 3; ++k) sums[sum + k]! += this.at(inner, k);
             ++sums[sum + 3]!;
         };
         const { cells } = this.surface;
-        const isOn = (vertex: number): boolean => torn[vertex] !== 0 && placeOf.has(vertex);
-        eachSide(cells, gone, (from, to) => {
-            if (isOn(from) && !placeOf.has(to)) add(from, to);
-            if (isOn(to) && !placeOf.has(from)) add(to, from);
+        const isOn = (vertex: number): boolean => torn[vertex] !== 0 && placeOf[vertex]! >= 0;
+        eachSide(cells, (from, to) => {
+            if (isOn(from) && placeOf[to]! < 0) add(from, to);
+            if (isOn(to) && placeOf[from]! < 0) add(to, from);
         });
         const across = sums.slice();
         for (let base = 0; base < cells.length; base += cellStride) {
-            if (gone[base / cellStride] !== 0) continue;
             for (let i = 0; i < 4; ++i) {
                 const [corner, opposite] = [cells[base + i]!, cells[base + ((i + 2) & 3)]!];
-                if (!isOn(corner) || placeOf.has(opposite)) continue;
-                if (across[4 * placeOf.get(corner)! + 3] === 0) add(corner, opposite);
+                if (!isOn(corner) || placeOf[opposite]! >= 0) continue;
+                if (across[4 * placeOf[corner]! + 3] === 0) add(corner, opposite);
             }
         }
         return sums;
@@ -243,10 +253,24 @@ function distance(places: Float64Array, a: number, b: number): number {
     );
 }
 
-/** The sides of cells, over their mids. @param gone 1 for each cell that does not count */
-export function eachSide(cells: Int32Array, gone: Uint8Array, use: (from: number, to: number) => void): void {
+/** As borderOf() of their sides, without a call for each. */
+export function borderOfCells(cells: Int32Array, vertices: number): Uint8Array {
+    const met = new Int32Array(vertices);
     for (let base = 0; base < cells.length; base += cellStride) {
-        if (gone[base / cellStride] !== 0) continue;
+        for (let i = 0; i < 4; ++i) {
+            const from = cells[base + i]!;
+            const mid = cells[base + 4 + i]!;
+            const to = cells[base + ((i + 1) & 3)]!;
+            meet(met, from, mid === noVertex ? to : mid);
+            if (mid !== noVertex) meet(met, mid, to);
+        }
+    }
+    return notZero(met);
+}
+
+/** The sides of cells, over their mids. */
+export function eachSide(cells: Int32Array, use: (from: number, to: number) => void): void {
+    for (let base = 0; base < cells.length; base += cellStride) {
         for (let i = 0; i < 4; ++i) {
             const from = cells[base + i]!;
             const mid = cells[base + 4 + i]!;
@@ -258,11 +282,10 @@ export function eachSide(cells: Int32Array, gone: Uint8Array, use: (from: number
 }
 
 /** The neighbours along the border of each vertex that is on one. */
-function neighboursOnBorder(cells: Int32Array, vertices: number, gone: Uint8Array): Map<number, number[]> {
-    const onBorder = borderOf((use) => eachSide(cells, gone, use), vertices);
+function neighboursOnBorder(cells: Int32Array, vertices: number, border: Uint8Array): Map<number, number[]> {
     const met = new Map<number, [number, number]>();
-    eachSide(cells, gone, (from, to) => {
-        if (onBorder[from] === 0 || onBorder[to] === 0) return;
+    eachSide(cells, (from, to) => {
+        if (border[from] === 0 || border[to] === 0) return;
         const side = Math.min(from, to) * vertices + Math.max(from, to);
         if (met.has(side)) met.delete(side);
         else met.set(side, [from, to]);
