@@ -62,7 +62,7 @@ bool GridSampling<Axes>::trace(const Interval& interval,
             return trace_curves(smooth(interval), curves, options, limit, stop);
     if (!interval.linear())
         return trace_curves(between(interval), curves, options, limit, stop);
-    return trace_curves(CellwiseSampler<Axes>{field}, curves, options, limit, stop);
+    return trace_curves(CellwiseSampler<Axes>{field}, curves, options, limit, stop, series_);
 }
 
 template <class Axes>

@@ -8,6 +8,7 @@
 #include "core/field/cubic_sampler.hpp"
 #include "core/field/grid_sampler.hpp"
 #include "core/field/interval.hpp"
+#include "core/field/kernel/series_batch.hpp"
 #include "core/field/rectilinear_axes.hpp"
 #include "core/integrate/curve.hpp"
 
@@ -96,7 +97,7 @@ class GridSampling {
     template <class Grid>
     GridSampling(const Grid& grid, const SolidMask& mask, Simd simd)
         : axes_(grid), mask_(mask), cells_(nodes_along(axes_), mask),
-          kernel_(choose_rk4_kernel(simd)) {}
+          kernel_(choose_rk4_kernel(simd)), series_(series_kernel(simd)) {}
 
     /// Returns the status at no particular time.
     PointStatus status(const Vec3& position) const { return linear({}).status(position); }
@@ -168,6 +169,7 @@ class GridSampling {
     /// Is made when the field is smooth for the first time.
     mutable std::optional<CellMask> round_cells_;
     Rk4Kernel kernel_;
+    const SeriesKernel& series_;
 };
 
 using UniformSampling = GridSampling<UniformGrid>;

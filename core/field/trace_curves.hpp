@@ -23,12 +23,14 @@ namespace wakesurf::core {
 /// Advances until the simulation time `limit` (infinite: to every curve's own end). Returns false if `stop`
 /// fired, or there is no memory for the steps: see cut_short; or what is missing cannot be had: see
 /// MissingBricks::error. Isolated: a thread that waits here takes no work of another surface.
+/// @param kernel  of curves that go together, where the field lets them
 template <VelocityField Field>
 bool trace_curves(const Field& field,
                   std::span<Curve> curves,
                   const TraceOptions& options,
                   double limit,
-                  const std::stop_token& stop) {
+                  const std::stop_token& stop,
+                  const SeriesKernel& kernel = series_portable) {
     MissingBricks* missing = nullptr;
     if constexpr (PagedField<Field>)
         missing = field.missing();
@@ -70,7 +72,7 @@ bool trace_curves(const Field& field,
                 return Advance(steps_of(view, direction(curve)), curve, options, until(curve), stop,
                                KeepInCurve{curve, options});
             };
-            if (!trace_together(series_kernel(), next))
+            if (!trace_together(kernel, next))
                 whole = false;
         };
         const auto advance_range = [&](std::size_t begin, std::size_t end) {

@@ -2,6 +2,8 @@
 // other, those of the others are computed. Each gets the bits that it would get alone.
 #pragma once
 
+#include "core/field/kernel/simd.hpp"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -51,12 +53,12 @@ struct SeriesKernel {
 };
 
 /// Returns the kernel for this processor. All of them give the same bits.
-const SeriesKernel& series_kernel();
+const SeriesKernel& series_kernel(Simd simd = Simd::Best);
 
 /// The kernel for every processor.
 extern const SeriesKernel series_portable;
 
-/// The kernel compiled for x86-64-v3: null if it is not.
+/// The kernel compiled with AVX2, without FMA, which rounds otherwise: null if it is not.
 const SeriesKernel* series_avx2();
 
 } // namespace wakesurf::core

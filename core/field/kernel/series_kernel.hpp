@@ -274,11 +274,12 @@ class SeriesOfFour {
                 m[k] = term_[k][axis] * size_[axis] * power + all(quartic[k]) * last;
                 power = power * t;
             }
-            const Number second = -m[2] - m[3] - m[4];
+            // From 0, as -x is of a vector: of terms that are 0 it stays +0.
+            const Number second = all(0.0) - m[2] - m[3] - m[4];
             Lanes::store(m[0] + Lanes::load(batch_.low[axis]), batch_.output[0][axis]);
             Lanes::store(m[1] - second, batch_.output[1][axis]);
             Lanes::store(second, batch_.output[2][axis]);
-            Lanes::store(-m[3] - all(2.0) * m[4], batch_.output[3][axis]);
+            Lanes::store(all(0.0) - m[3] - all(2.0) * m[4], batch_.output[3][axis]);
             Lanes::store(m[4], batch_.output[4][axis]);
         }
     }

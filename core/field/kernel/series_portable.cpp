@@ -31,16 +31,13 @@ const SeriesKernel series_portable{
     [](SeriesBatch& batch) { SeriesOfFour<PortableLanes>(batch).expand(); },
     [](SeriesBatch& batch) { SeriesOfFour<PortableLanes>(batch).step(); }};
 
-const SeriesKernel& series_kernel() {
-    static const SeriesKernel& best = []() -> const SeriesKernel& {
+const SeriesKernel& series_kernel(Simd simd) {
 #if defined(__x86_64__)
-        if (const SeriesKernel* avx2 = series_avx2();
-            avx2 != nullptr && __builtin_cpu_supports("avx2") != 0)
-            return *avx2;
+    if (const SeriesKernel* avx2 = series_avx2();
+        simd != Simd::Portable && avx2 != nullptr && __builtin_cpu_supports("avx2") != 0)
+        return *avx2;
 #endif
-        return series_portable;
-    }();
-    return best;
+    return series_portable;
 }
 
 } // namespace wakesurf::core

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -87,6 +88,7 @@ std::vector<Cell> cells_of(const Sheet& sheet, const ColumnNumbers& numbers) {
                 }
                 ++cell;
             });
+            assert(cell == cells.data() + first[i + 1]);
         },
         1);
     return cells;

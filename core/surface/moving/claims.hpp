@@ -10,7 +10,7 @@
 
 namespace wakesurf::core {
 
-/// Elements, by number, that nobody claims until somebody does. A copy has its own, without claims.
+/// Elements, by number, that nobody claims until somebody does. A copy has no claims.
 class Claims {
   public:
     Claims() = default;
@@ -19,14 +19,19 @@ class Claims {
 
     Claims(Claims&&) = default;
 
-    Claims& operator=(const Claims&) { return *this; }
+    Claims& operator=(const Claims&) {
+        std::fill(first_.begin(), first_.end(), nobody);
+        return *this;
+    }
 
     Claims& operator=(Claims&&) = default;
     ~Claims() = default;
 
     void make_room(std::size_t elements) {
+        if (first_.capacity() < elements)
+            first_.reserve(elements + elements / 8);
         if (first_.size() < elements)
-            first_.resize(elements + elements / 8, nobody);
+            first_.resize(elements, nobody);
     }
 
     /// From several threads at the same time: the lowest rank has it in the end.

@@ -42,7 +42,7 @@ std::vector<EdgeCrossing> edges_to_the_dead(const RefinementContext& context,
 /// vertex an edge, shared, on the boundary itself. A vertex that came to rest has crossed nothing, and its
 /// triangles are removed.
 /// @param crossings  that have been found
-/// @param made       their vertices
+/// @param made       the vertex of each
 void clip(const RefinementContext& context,
           std::span<const TriangleId> candidates,
           std::span<const EdgeCrossing> crossings,

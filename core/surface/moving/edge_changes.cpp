@@ -45,7 +45,10 @@ bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
     const double ac = squared_length(mesh, a, c), bc = squared_length(mesh, b, c);
     const double ad = squared_length(mesh, a, d), bd = squared_length(mesh, b, d);
     const double cd = squared_length(mesh, c, d);
+    const bool delaunay = !(cotangent(ac, bc, ab) + cotangent(ad, bd, ab) < -1e-3);
     const int bridging_before = is_bridging(mesh, a, b, c) + is_bridging(mesh, b, a, d);
+    if (delaunay && bridging_before == 0)
+        return false;
     const int bridging_after = is_bridging(mesh, a, d, c) + is_bridging(mesh, d, b, c);
     if (bridging_after > bridging_before)
         return false;
@@ -56,9 +59,7 @@ bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
     const double after = std::min(quality_of(squared(new_t), ad + cd + ac),
                                   quality_of(squared(new_u), bd + bc + cd));
     if (bridging_after == bridging_before) {
-        if (!(cotangent(ac, bc, ab) + cotangent(ad, bd, ab) < -1e-3)) // Delaunay already
-            return false;
-        if (!(after > before)) // on an uneven surface it might go on for ever
+        if (delaunay || !(after > before)) // on an uneven surface it might go on for ever
             return false;
         if (cd > context.squared_separation() && cd > ab * (1.0 - 1e-9))
             return false;
@@ -102,15 +103,15 @@ void flip_all(const RefinementContext& context, std::vector<TriangleId>& queue) 
     };
     // Where an edge is turned, those beside it may be worth it next.
     std::size_t left = queue.size() * 20 + 1000;
-    while (!queue.empty() && left > 0 && !context.stop.stop_requested()) {
-        const auto round = edit_round<Flip>(
-            std::min(queue.size(), left), triangles, ask, numbers_nothing, prepares_nothing,
-            [&](const Flip& flip, std::size_t, TriangleChanges& changes) {
-                triangles.flip(flip.t, flip.k, changes);
-            });
-        left -= std::min(queue.size(), left);
-        std::vector<TriangleId> next = round.again(queue);
-        for (const Flip& flip : round.made)
+    for (int round = 0; !queue.empty() && left > 0 && !context.stop.stop_requested(); ++round) {
+        const auto flips =
+            edit_round<Flip>(round, queue.size(), triangles, ask, numbers_nothing, prepares_nothing,
+                             [&](const Flip& flip, std::size_t, TriangleChanges& changes) {
+                                 triangles.flip(flip.t, flip.k, changes);
+                             });
+        left -= std::min(flips.made.size(), left);
+        std::vector<TriangleId> next = flips.again(queue);
+        for (const Flip& flip : flips.made)
             next.insert(next.end(), {flip.t, flip.u});
         queue = distinct(std::move(next));
     }
@@ -242,19 +243,17 @@ wanted_cuts(const RefinementContext& context, std::span<const TriangleId> candid
     };
     std::vector<WantedCut> wanted = gather<WantedCut>(candidates.size(), add, few_triangles);
     for (WantedCut& edge : wanted) {
-        edge.length = std::round(1e6 * edge.length / context.squared_separation());
-        if (!(edge.length >= 0.0)) // no number has no place in an order
-            edge.length = std::numeric_limits<double>::infinity();
+        edge.length = rounded_length(edge.length / context.squared_separation());
         if (edge.id_a > edge.id_b) {
             std::swap(edge.a, edge.b);
             std::swap(edge.id_a, edge.id_b);
         }
     }
     // An edge that must be cut comes before the same edge for the shape of what lies beside it.
-    sort_all(wanted, [](const WantedCut& x, const WantedCut& y) {
-        return std::tuple(-x.length, x.id_a, x.id_b, !x.must) <
-               std::tuple(-y.length, y.id_a, y.id_b, !y.must);
-    });
+    const auto key = [](const WantedCut& edge) {
+        return std::tuple(-edge.length, edge.id_a, edge.id_b, !edge.must);
+    };
+    sort_all(wanted, [&](const WantedCut& x, const WantedCut& y) { return key(x) < key(y); });
     const auto same = [](const WantedCut& x, const WantedCut& y) {
         return x.id_a == y.id_a && x.id_b == y.id_b;
     };

@@ -13,13 +13,12 @@ namespace wakesurf::core {
 /// the two triangles better and no edge that would be cut; and turns nothing over in (s, t).
 bool should_flip(const RefinementContext& context, TriangleId t, unsigned k);
 
-/// Turns edges of the triangles in `queue`, and of those that it changes, until none is worth it, or each has
-/// been turned twenty times on average. The queue is empty then.
+/// Turns edges of the triangles in `queue`, and of those that it changes, until none is worth it, or twenty times as many
+/// have been turned. The queue is empty then.
 void flip_all(const RefinementContext& context, std::vector<TriangleId>& queue);
 
 struct WantedCut {
-    /// The squared length; in a list that of the separation is a million, and edges of one length are taken
-    /// in order of ids.
+    /// The squared length; in a list its rounded_length(), and edges of one length are in order of ids.
     double length;
     VertexId a, b;
     std::uint32_t id_a, id_b; ///< a's is the smaller

@@ -10,6 +10,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
 
 namespace wakesurf::core {
 
@@ -29,9 +33,7 @@ constexpr double of_bulge = 0.5; ///< allowed of what is cut, or it would be cut
 constexpr double needle_base = 10.0; ///< of a crumb: what is not higher may lie aslant
 
 struct Short {
-    /// The squared length, in squares of the separation, to a millionth: edges of one length are taken in
-    /// order of ids.
-    double length;
+    double length; ///< rounded_length(); edges of one length are taken in order of ids
     VertexId a, b;
     std::uint32_t id_a, id_b; ///< a's is the smaller
 };
@@ -226,7 +228,7 @@ std::vector<Short> short_edges(const RefinementContext& context,
             return;
         each_edge_to_join(context, t, [&](unsigned k, double square) {
             const VertexId a = here.begin(k), b = here.end(k);
-            const double length = std::round(1e6 * square / context.squared_separation());
+            const double length = rounded_length(square / context.squared_separation());
             if (ids[a] < ids[b])
                 found.push_back({length, a, b, ids[a], ids[b]});
             else
@@ -234,9 +236,10 @@ std::vector<Short> short_edges(const RefinementContext& context,
         });
     };
     std::vector<Short> edges = gather<Short>(triangles.size(), add, few_triangles);
-    sort_all(edges, [](const Short& x, const Short& y) {
-        return std::tie(x.length, x.id_a, x.id_b) < std::tie(y.length, y.id_a, y.id_b);
-    });
+    const auto key = [](const Short& edge) {
+        return std::tuple(edge.length, edge.id_a, edge.id_b);
+    };
+    sort_all(edges, [&](const Short& x, const Short& y) { return key(x) < key(y); });
     const auto same = [](const Short& x, const Short& y) {
         return x.id_a == y.id_a && x.id_b == y.id_b;
     };
@@ -306,16 +309,16 @@ std::size_t join_edges(const RefinementContext& context, std::vector<Short> edge
         return std::nullopt;
     };
     std::size_t joined = 0;
-    while (!edges.empty()) {
-        const auto round =
-            edit_round<Collapse>(edges.size(), triangles, ask, numbers_nothing, prepares_nothing,
-                                 [&](const Collapse& each, std::size_t, TriangleChanges& changes) {
-                                     std::vector<TriangleId> ring;
-                                     triangles.fan(each.gone, ring);
-                                     triangles.collapse(each.gone, each.kept, ring, changes);
-                                 });
-        joined += round.made.size();
-        edges = round.again(edges);
+    for (int round = 0; !edges.empty(); ++round) {
+        const auto joins = edit_round<Collapse>(
+            round, edges.size(), triangles, ask, numbers_nothing, prepares_nothing,
+            [&](const Collapse& each, std::size_t, TriangleChanges& changes) {
+                std::vector<TriangleId> ring;
+                triangles.fan(each.gone, ring);
+                triangles.collapse(each.gone, each.kept, ring, changes);
+            });
+        joined += joins.made.size();
+        edges = joins.again(edges);
     }
     return joined;
 }

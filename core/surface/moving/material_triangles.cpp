@@ -233,8 +233,8 @@ void MaterialTriangles::renumber(std::span<const TriangleId> order,
             t.hanging = vertex_slot[t.hanging];
     });
     slots_ = std::move(sorted);
-    std::vector<TriangleId> of(of_.size(), no_triangle);
-    std::vector<std::uint16_t> uses(uses_.size(), 0);
+    std::vector<TriangleId> of(vertex_slot.size(), no_triangle);
+    std::vector<std::uint16_t> uses(vertex_slot.size(), 0);
     for_each_index(of_.size(), [&](std::size_t v) {
         if (uses_[v] == 0)
             return;
@@ -258,6 +258,8 @@ std::string MaterialTriangles::violation() const {
         if (!here.live)
             continue;
         for (unsigned k = 0; k < 3; ++k) {
+            if (here.vertex[k] >= uses.size())
+                return at(t, "has a vertex that nothing counts");
             ++uses[here.vertex[k]];
             const TriangleId u = here.across[k];
             if (u == no_triangle)

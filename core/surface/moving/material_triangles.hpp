@@ -64,8 +64,8 @@ struct TriangleChanges {
     std::ptrdiff_t odd = 0;       ///< triangles
 };
 
-/// Edits of several threads at the same time have no vertex in common, and changes of their own (see edit_round()):
-/// flip(), split(), collapse(), pair() and part().
+/// Several threads may flip, split, collapse, pair and part at the same time as edit_round() says, each with changes of its
+/// own.
 class MaterialTriangles {
   public:
     /// Returns all slots, free ones included: see `live`.

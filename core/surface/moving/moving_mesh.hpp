@@ -132,7 +132,7 @@ class MaterialVertices {
     std::vector<VertexError> error;
     std::vector<std::uint32_t> cell; ///< of a mesh of cells: see Particles
 
-    /// Free vertices that have been made or released since the list was last cleared: perhaps nothing has used them yet.
+    /// Vertices that have been made or released since the list was last cleared: perhaps nothing has used them yet.
     std::vector<VertexId>& fresh() { return fresh_; }
 
   private:

@@ -179,13 +179,12 @@ class Pairing {
                         found.push_back({its, t, k});
         };
         auto candidates = gather<Candidate>(loose.size(), add, few_triangles);
-        tbb::parallel_sort(
-            candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-                return std::tuple(-a.score, a.t, a.k) < std::tuple(-b.score, b.t, b.k);
-            });
-        while (!candidates.empty()) {
-            const auto round = pairing_round(
-                candidates.size(),
+        sort_all(candidates, [](const Candidate& a, const Candidate& b) {
+            return std::tuple(-a.score, a.t, a.k) < std::tuple(-b.score, b.t, b.k);
+        });
+        for (int round = 0; !candidates.empty(); ++round) {
+            const auto pairs = pairing_round(
+                round, candidates.size(),
                 [&](std::size_t i, std::vector<TriangleId>& claimed) -> std::optional<Pairs> {
                     const auto [its, t, k] = candidates[i];
                     const TriangleId u = triangles_[t].across[k];
@@ -194,18 +193,21 @@ class Pairing {
                     claimed.insert(claimed.end(), {t, u});
                     return Pairs{{}, {{t, k}}};
                 });
-            candidates = round.again(candidates);
+            candidates = pairs.again(candidates);
         }
     }
 
     /// Gives triangles another half each by taking apart every other pair on the way to a triangle that has none
     /// either. Returns those that have still none.
     std::vector<TriangleId> pair_along_paths(std::vector<TriangleId> loose, float least) {
-        for (std::vector<TriangleId> pending = loose; !pending.empty();)
-            pending =
-                pairing_round(pending.size(), [&](std::size_t i, std::vector<TriangleId>& claimed) {
-                    return path_from(pending[i], least, claimed);
-                }).again(pending);
+        std::vector<TriangleId> pending = loose;
+        for (int round = 0; !pending.empty(); ++round) {
+            const auto paths = pairing_round(round, pending.size(),
+                                             [&](std::size_t i, std::vector<TriangleId>& claimed) {
+                                                 return path_from(pending[i], least, claimed);
+                                             });
+            pending = paths.again(pending);
+        }
         return still_free(loose);
     }
 
@@ -213,16 +215,19 @@ class Pairing {
     void swap_pairs(std::span<const TriangleId> around) {
         std::vector<TriangleId> asked(around.begin(), around.end());
         for (int round = 0; round < swap_rounds && !asked.empty(); ++round) {
-            const auto swapped =
-                pairing_round(asked.size(), [&](std::size_t i, std::vector<TriangleId>& claimed) {
-                    return swap_at(asked[i], claimed);
-                });
-            std::vector<TriangleId> next = swapped.again(asked);
-            // What lies beside the new pairs may be worth more with them now.
-            for (const Pairs& each : swapped.made)
-                for (const auto& [t, k] : each.paired)
-                    next.insert(next.end(), {t, triangles_[t].across[k]});
-            asked = distinct(std::move(next));
+            // What lies beside the new pairs may be worth more with them next.
+            std::vector<TriangleId> changed;
+            for (int again = 0; !asked.empty(); ++again) {
+                const auto swapped = pairing_round(
+                    again, asked.size(), [&](std::size_t i, std::vector<TriangleId>& claimed) {
+                        return swap_at(asked[i], claimed);
+                    });
+                for (const Pairs& each : swapped.made)
+                    for (const auto& [t, k] : each.paired)
+                        changed.insert(changed.end(), {t, triangles_[t].across[k]});
+                asked = swapped.again(asked);
+            }
+            asked = distinct(std::move(changed));
         }
     }
 
@@ -243,18 +248,20 @@ class Pairing {
 
     /// Claims are of triangles.
     template <class Ask>
-    EditRound<Pairs> pairing_round(std::size_t count, const Ask& ask) {
-        std::uint32_t first = 0;
+    EditRound<Pairs> pairing_round(int round, std::size_t count, const Ask& ask) {
+        std::optional<std::uint32_t> first;
         triangles_.claims().make_room(triangles_.slots().size());
         return edit_round<Pairs>(
-            context_.stop.stop_requested() ? 0 : count, triangles_, ask,
+            round, context_.stop.stop_requested() ? 0 : count, triangles_, ask,
             [](const Pairs& pairs) { return pairs.paired.size(); },
-            [&](std::size_t ids) { first = triangles_.take_ids(ids); },
+            [&](std::size_t ids) {
+                first = std::min(first.value_or(no_vertex), triangles_.take_ids(ids));
+            },
             [&](const Pairs& pairs, std::size_t number, TriangleChanges& changes) {
                 for (const TriangleId t : pairs.parted)
                     triangles_.part(t, changes);
                 for (const auto& [t, k] : pairs.paired)
-                    triangles_.pair(t, k, first + static_cast<std::uint32_t>(number++));
+                    triangles_.pair(t, k, *first + static_cast<std::uint32_t>(number++));
             });
     }
 

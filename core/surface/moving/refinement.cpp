@@ -93,7 +93,8 @@ void Refinement::begin_on_edge(
 Result<void> Refinement::pair(MovingMesh& mesh) {
     MaterialTriangles& triangles = mesh.triangles;
     const RefinementContext here = context(mesh);
-    const std::vector<TriangleId> odd = pair_all(here, triangles.loose());
+    const std::vector<TriangleId> loose = triangles.loose();
+    const std::vector<TriangleId> odd = pair_all(here, loose);
 
     struct Hanging {
         VertexId vertex, a, b;
@@ -140,7 +141,7 @@ Result<void> Refinement::pair(MovingMesh& mesh) {
 }
 
 /// Joins what is beside a hopeless edge, or tears the surface there: it cannot be followed.
-void Refinement::tear(const RefinementContext& here, TriangleId t, unsigned k) {
+void Refinement::give_up(const RefinementContext& here, TriangleId t, unsigned k) {
     MaterialTriangles& triangles = here.mesh.triangles;
     const TriangleId u = triangles[t].across[k];
     const bool torn = is_torn(here, t, k);
@@ -213,18 +214,23 @@ void Refinement::cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidat
     const RefinementContext here = context(mesh);
     MaterialTriangles& triangles = mesh.triangles;
     std::vector<WantedCut> wanted = wanted_cuts(here, candidates, shape);
-    const auto hopeless = gather<WantedCut>(
-        wanted.size(),
-        [&](std::size_t i, std::vector<WantedCut>& found) {
-            const auto [t, k] = triangles.find_either_way(wanted[i].a, wanted[i].b);
-            if (wanted[i].must && is_hopeless(here, t, k))
-                found.push_back(wanted[i]);
-        },
-        few_triangles);
-    // First, while what lies beside them can still be joined.
-    for (const WantedCut& edge : hopeless)
-        if (const auto [t, k] = triangles.find_either_way(edge.a, edge.b); t != no_triangle)
-            tear(here, t, k);
+    // First what cannot be cut, while what lies beside it can still be joined. A tear may make others hopeless.
+    for (std::size_t before = 0; before != triangles.live() && !stop_.stop_requested();) {
+        before = triangles.live();
+        const auto hopeless = gather<WantedCut>(
+            wanted.size(),
+            [&](std::size_t i, std::vector<WantedCut>& found) {
+                if (!wanted[i].must)
+                    return;
+                const auto [t, k] = triangles.find_either_way(wanted[i].a, wanted[i].b);
+                if (t != no_triangle && is_hopeless(here, t, k))
+                    found.push_back(wanted[i]);
+            },
+            few_triangles);
+        for (const WantedCut& edge : hopeless)
+            if (const auto [t, k] = triangles.find_either_way(edge.a, edge.b); t != no_triangle)
+                give_up(here, t, k);
+    }
     const auto ask = [&](std::size_t i, std::vector<VertexId>& claimed) -> std::optional<Cut> {
         // An edge that was turned away meanwhile, or has become hopeless, is left to the next pass.
         const auto [t, k] = triangles.find_either_way(wanted[i].a, wanted[i].b);
@@ -236,17 +242,19 @@ void Refinement::cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidat
             claimed.push_back(triangles.opposite_beyond(t, k));
         return Cut{t, k, at.begin(k), at.end(k)};
     };
-    while (!wanted.empty() && !stop_.stop_requested()) {
+    for (int round = 0; !wanted.empty() && !stop_.stop_requested(); ++round) {
         std::vector<VertexId> made;
         std::vector<std::array<TriangleId, 2>> slots;
         std::vector<std::uint8_t> far;
         triangles.claims().make_room(mesh.vertices.slots());
-        const auto round = edit_round<Cut>(
-            wanted.size(), triangles, ask, [](const Cut&) { return std::size_t{1}; },
+        const auto cuts = edit_round<Cut>(
+            round, wanted.size(), triangles, ask, [](const Cut&) { return std::size_t{1}; },
             [&](std::size_t count) {
-                made = mesh.vertices.take_slots(count);
-                slots = triangles.slots_to_split(count, mesh.vertices.slots());
-                far.resize(count);
+                const auto vertices = mesh.vertices.take_slots(count);
+                made.insert(made.end(), vertices.begin(), vertices.end());
+                const auto more = triangles.slots_to_split(count, mesh.vertices.slots());
+                slots.insert(slots.end(), more.begin(), more.end());
+                far.resize(made.size());
             },
             [&](const Cut& cut, std::size_t i, TriangleChanges& changes) {
                 // An edge that has been torn may have been cut in its middle: two vertices at one place would be a crack.
@@ -264,8 +272,8 @@ void Refinement::cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidat
             });
         for (std::size_t i = 0; i < made.size(); ++i)
             if (far[i])
-                trace_with_ends(mesh, made[i], round.made[i].a, round.made[i].b);
-        wanted = round.again(wanted);
+                trace_with_ends(mesh, made[i], cuts.made[i].a, cuts.made[i].b);
+        wanted = cuts.again(wanted);
     }
 }
 

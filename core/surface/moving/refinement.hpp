@@ -1,6 +1,5 @@
 // Brings a moving surface back within its limits after a step: flip, clip, cut or tear, join, and pair. What
-// may need anything is found in parallel from the mesh as it is; it is carried out one after the other, in an
-// order that does not depend on the number of threads.
+// may need anything is found in parallel from the mesh as it is, and carried out in rounds (edit_round.hpp).
 #pragma once
 
 #include "core/base/result.hpp"
@@ -71,7 +70,7 @@ class Refinement {
                                 const WorkPart& work);
     Result<void> clip_at_the_dead(MovingMesh& mesh, std::span<const TriangleId> candidates);
     void cut_pass(MovingMesh& mesh, std::span<const TriangleId> candidates, bool shape);
-    void tear(const RefinementContext& here, TriangleId t, unsigned k);
+    void give_up(const RefinementContext& here, TriangleId t, unsigned k);
     void close_torn(MovingMesh& mesh);
     void
     begin_on_edge(MovingMesh& mesh, VertexId made, TriangleId t, unsigned k, double part) const;

@@ -36,6 +36,16 @@ TEST(Gather, KeepsTheOrderOfTheNumbersWhateverTheThreadsAndShares) {
     }
 }
 
+TEST(SortAll, SortsAsOneThreadDoes) {
+    std::vector<std::uint32_t> numbers(20'000);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        numbers[i] = static_cast<std::uint32_t>(i * 2654435761u);
+    auto expected = numbers;
+    std::sort(expected.begin(), expected.end(), std::greater<>{});
+    sort_all(numbers, std::greater<>{});
+    EXPECT_EQ(numbers, expected);
+}
+
 TEST(Largest, IsTheLargestOfAllAndAtLeastWhatIsGiven) {
     const auto wave = [](std::size_t i, double) { return std::sin(static_cast<double>(i)); };
     double most = 0.0;

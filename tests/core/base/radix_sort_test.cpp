@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <random>
+#include <set>
+#include <vector>
 
 namespace wakesurf::core::radix_sort_test {
 
@@ -32,6 +34,17 @@ TEST(RadixSort, IsAStableSort) {
             radix_sort(things, [](const Named& thing) { return thing.name; });
             EXPECT_TRUE(things == expected) << count << " up to " << most;
         }
+}
+
+TEST(Distinct, IsEachNumberOnceInOrder) {
+    std::mt19937 random(6);
+    for (const std::size_t count : {0u, 1u, 300u, 3000u}) {
+        std::vector<std::uint32_t> numbers(count);
+        for (std::uint32_t& number : numbers)
+            number = static_cast<std::uint32_t>(random() % 700);
+        const std::set<std::uint32_t> expected(numbers.begin(), numbers.end());
+        EXPECT_EQ(distinct(numbers), std::vector<std::uint32_t>(expected.begin(), expected.end()));
+    }
 }
 
 } // namespace wakesurf::core::radix_sort_test

@@ -12,7 +12,7 @@ import { PointsReader } from './wirePoints.ts';
 /** Limits the bytes of an update that is not whole yet. */
 const maxUpdateBytes = 256 << 20;
 
-/** The memory of a state that had so many times the vertices of the one after it is given back. */
+/** Memory with room for so many times the vertices of the next state is given back. */
 const largestRoom = 4;
 
 /** An update in pieces, as they come. */
@@ -144,7 +144,7 @@ export class MeshDecoder {
         return new WireMesh(
             h.latticeBits,
             ranges,
-            state !== undefined && state.vertices <= largestRoom * h.vertices ? state : undefined,
+            state !== undefined && state.room <= largestRoom * h.vertices ? state : undefined,
         );
     }
 }

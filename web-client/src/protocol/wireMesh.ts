@@ -70,6 +70,11 @@ export class WireMesh {
         this.cellRoom = ended?.cellRoom ?? new Int32Array(0);
     }
 
+    /** How many vertices its memory has room for. */
+    get room(): number {
+        return this.position.values.length / 3;
+    }
+
     /** cellStride ids a cell, noVertex as -1. */
     get cells(): Int32Array {
         return this.cellRoom.subarray(0, this.cellCount * cellStride);

@@ -1,4 +1,5 @@
 #include "core/surface/moving/material_triangles.hpp"
+#include "core/surface/moving/release.hpp"
 #include "tests/support/flat_patch.hpp"
 #include "tests/support/mesh_hash.hpp"
 
@@ -283,6 +284,17 @@ TEST(MaterialTriangles, RenumberingIsInvisibleInTheSnapshot) {
     mesh.vertices.renumber(vertices);
     EXPECT_EQ(hash(snapshot(mesh, {})), before);
     EXPECT_EQ(violation(mesh), "");
+}
+
+TEST(MaterialTriangles, KeepAllVerticesWhenMemoryIsSortedThatHangingOnesAreIn) {
+    MovingMesh mesh = flat_patch(2, 2);
+    mesh.triangles.part(0);
+    mesh.triangles.leave_odd(0, 2, insert_middle(mesh, 0, 2), mesh.triangles.take_ids(1));
+    const std::size_t used = mesh.vertices.used();
+    sort_memory(mesh, 0.0);
+    EXPECT_EQ(mesh.triangles.violation(), "");
+    EXPECT_FALSE(mesh.triangles.unused(static_cast<VertexId>(used - 1)))
+        << "the last of the patch, which the hanging vertex has moved on";
 }
 
 } // namespace wakesurf::core::material_triangles_test
