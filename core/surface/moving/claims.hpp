@@ -1,16 +1,17 @@
-// Who comes first to what is edited: see edit_round().
+// What the edits of a round take: see edit_round().
 #pragma once
 
+#include "core/base/with_spare.hpp"
+
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <span>
 #include <vector>
 
 namespace wakesurf::core {
 
-/// Elements, by number, that nobody claims until somebody does. A copy has no claims.
+/// Elements, by number, that can be taken once a round. A copy takes no part in the round of what it was copied from.
 class Claims {
   public:
     Claims() = default;
@@ -19,44 +20,41 @@ class Claims {
 
     Claims(Claims&&) = default;
 
-    Claims& operator=(const Claims&) {
-        std::fill(first_.begin(), first_.end(), nobody);
-        return *this;
-    }
+    Claims& operator=(const Claims&) { return *this; }
 
     Claims& operator=(Claims&&) = default;
     ~Claims() = default;
 
     void make_room(std::size_t elements) {
-        if (first_.capacity() < elements)
-            first_.reserve(elements + elements / 8);
-        if (first_.size() < elements)
-            first_.resize(elements, nobody);
+        if (taken_.capacity() < elements)
+            taken_.reserve(with_spare(elements));
+        if (taken_.size() < elements)
+            taken_.resize(elements, 0);
     }
 
-    /// From several threads at the same time: the lowest rank has it in the end.
-    void claim(std::uint32_t element, std::uint32_t rank) {
-        const std::atomic_ref first(first_[element]);
-        std::uint32_t before = first.load(std::memory_order_relaxed);
-        while (rank < before &&
-               !first.compare_exchange_weak(before, rank, std::memory_order_relaxed)) {
+    /// Begins a round, in which nothing is taken yet.
+    void begin() {
+        if (++round_ == 0) {
+            std::fill(taken_.begin(), taken_.end(), 0);
+            round_ = 1;
         }
     }
 
-    /// When nobody claims any more.
-    bool has(std::uint32_t element, std::uint32_t rank) const { return first_[element] == rank; }
-
-    /// From several threads at the same time, when nobody asks any more.
-    void release(std::uint32_t element) {
-        std::atomic_ref(first_[element]).store(nobody, std::memory_order_relaxed);
+    /// Takes all of them, unless one has been taken in this round.
+    bool take(std::span<const std::uint32_t> elements) {
+        for (const std::uint32_t element : elements)
+            if (taken_[element] == round_)
+                return false;
+        for (const std::uint32_t element : elements)
+            taken_[element] = round_;
+        return true;
     }
 
-    std::size_t bytes() const { return first_.capacity() * sizeof(std::uint32_t); }
+    std::size_t bytes() const { return taken_.capacity() * sizeof(std::uint16_t); }
 
   private:
-    static constexpr std::uint32_t nobody = std::numeric_limits<std::uint32_t>::max();
-
-    std::vector<std::uint32_t> first_;
+    std::vector<std::uint16_t> taken_; ///< in which round
+    std::uint16_t round_ = 0;
 };
 
 } // namespace wakesurf::core
