@@ -20,7 +20,7 @@ namespace wakesurf::tests {
 /// the first, on a round tube of that many columns.
 inline core::MovingMesh flat_patch(int columns, int rows, bool closed = false) {
     core::MovingMesh mesh;
-    mesh.lattice = {double(columns), closed, double(rows), 1.0};
+    mesh.rectangle = {.closed = closed, .patch = true};
     const int across = closed ? columns : columns + 1;
     for (int row = 0; row <= rows; ++row)
         for (int column = 0; column < across; ++column) {
@@ -32,7 +32,6 @@ inline core::MovingMesh flat_patch(int columns, int rows, bool closed = false) {
             point.carried.along_t = core::Vec3(0.0, rows, 0.0);
             point.s = double(column) / columns;
             point.t = double(row) / rows;
-            point.place = {double(column), double(row)};
             mesh.vertices.add(point, core::VertexRole::Free, 0.0);
         }
     const auto at = [&](int row, int column) {
@@ -64,7 +63,8 @@ inline void pair_and_clean(core::MovingMesh& mesh) {
     const std::size_t fresh = mesh.vertices.fresh().size();
     for (const core::TriangleId t : core::pair_all(context, loose)) {
         const unsigned k = core::side_to_halve(context, t);
-        mesh.triangles.leave_odd(t, k, insert_middle(mesh, t, k), mesh.triangles.take_ids(1));
+        mesh.triangles.leave_odd(
+            std::array{core::MaterialTriangles::Odd{t, k, insert_middle(mesh, t, k)}});
     }
     mesh.vertices.fresh().resize(fresh); // those in the middle of an edge hang on a triangle each
     mesh.triangles.touched().clear();

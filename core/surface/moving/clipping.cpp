@@ -139,7 +139,7 @@ Result<void> find_crossings(const RefinementContext& context,
     const auto moved_all_step = [&](VertexId x) {
         // A vertex of a streak surface that was released in this step was not there at its beginning.
         return v.role[x] == VertexRole::Free &&
-               (mesh.lattice.last_row > 0.0 || sign * (v.t[x] - before) <= 0.0);
+               (mesh.rectangle.patch || sign * (v.t[x] - before) <= 0.0);
     };
     std::vector<std::uint8_t> searched(crossings.size(), 0);
     std::vector<double> guess(crossings.size());

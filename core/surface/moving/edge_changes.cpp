@@ -72,7 +72,7 @@ bool should_flip(const RefinementContext& context, TriangleId t, unsigned k) {
     if (bridging_after == bridging_before && flat_after < std::min(least_flat, flat_before) &&
         !(before < sliver && flat_after > 0.0))
         return false;
-    if (mesh.lattice.closed && std::abs(mesh.parameter_step(c, d).s) > 0.3)
+    if (mesh.rectangle.closed && std::abs(mesh.parameter_step(c, d).s) > 0.3)
         return false; // the short way round would not be the surface's
     // It would be cut again, and joined again, in every step.
     if (bridging_after == bridging_before && bulges(context, c, d, 0.8) &&

@@ -64,7 +64,7 @@ bool is_hole(const MovingMesh& mesh, const Loop& loop) {
         area += s * step.t - (mesh.vertices.t[a] - t0) * step.s;
         s += step.s;
     }
-    return std::abs(s) < 0.5 && mesh.lattice.facing * area < 0.0;
+    return std::abs(s) < 0.5 && mesh.rectangle.facing * area < 0.0;
 }
 
 /// Of a polygon: the lightest of all ways to cut it into triangles.

@@ -28,14 +28,11 @@ bool cubic_holds(const Vec3& turn, const Vec3& chord) {
 MaterialPoint between(const MovingMesh& mesh, VertexId a, VertexId b, double part) {
     const MaterialPoint p = mesh.vertices.point(a);
     const MaterialPoint q = mesh.vertices.point(b);
-    const RakeLattice& lattice = mesh.lattice;
+    const ParameterRectangle& rectangle = mesh.rectangle;
     MaterialPoint mid;
     mid.carried = (1.0 - part) * p.carried + part * q.carried;
-    mid.s = lattice.wrapped_s(p.s + part * lattice.s_between(p.s, q.s));
+    mid.s = rectangle.wrapped_s(p.s + part * rectangle.s_between(p.s, q.s));
     mid.t = p.t + part * (q.t - p.t);
-    mid.place.column = lattice.wrapped_column(
-        p.place.column + part * lattice.columns_between(p.place.column, q.place.column));
-    mid.place.row = p.place.row + part * (q.place.row - p.place.row);
     mid.birth_area = 0.5f * (p.birth_area + q.birth_area);
     mid.approximated = true;
     mid.error = VertexError::between(p.error, q.error);

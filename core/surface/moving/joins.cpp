@@ -105,7 +105,7 @@ class Join {
         return all_neighbours(gone, kept, [&](VertexId x) {
             return squared_length(mesh_, x, kept) <= context_.squared_separation() &&
                    // The short way round would not be the surface's.
-                   !(mesh_.lattice.closed && std::abs(mesh_.parameter_step(x, kept).s) > 0.3);
+                   !(mesh_.rectangle.closed && std::abs(mesh_.parameter_step(x, kept).s) > 0.3);
         });
     }
 

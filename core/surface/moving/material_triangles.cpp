@@ -2,6 +2,7 @@
 
 #include "core/base/for_each_index.hpp"
 #include "core/base/radix_sort.hpp"
+#include "core/base/with_spare.hpp"
 
 #include <algorithm>
 #include <tuple>
@@ -14,9 +15,8 @@ TriangleId MaterialTriangles::empty_slot() {
         changes_.free.pop_back();
         return t;
     }
-    // The vector grows by an eighth at a time: doubling would hold twice what the surface needs.
     if (slots_.size() == slots_.capacity())
-        slots_.reserve(slots_.size() + slots_.size() / 8 + 512);
+        slots_.reserve(with_spare(slots_.size() + 512));
     slots_.emplace_back();
     return static_cast<TriangleId>(slots_.size() - 1);
 }
@@ -25,8 +25,8 @@ void MaterialTriangles::make_room(std::size_t vertices) {
     if (vertices <= of_.size())
         return;
     if (vertices > of_.capacity()) {
-        of_.reserve(vertices + vertices / 8 + 256);
-        uses_.reserve(vertices + vertices / 8 + 256);
+        of_.reserve(with_spare(vertices + 256));
+        uses_.reserve(with_spare(vertices + 256));
     }
     of_.resize(vertices, no_triangle);
     uses_.resize(vertices, 0);
@@ -220,7 +220,7 @@ void MaterialTriangles::renumber(std::span<const TriangleId> order,
     for_each_index(order.size(),
                    [&](std::size_t i) { slot[order[i]] = static_cast<TriangleId>(i); });
     std::vector<Triangle> sorted;
-    sorted.reserve(order.size() + order.size() / 8);
+    sorted.reserve(with_spare(order.size()));
     sorted.resize(order.size());
     for_each_index(order.size(), [&](std::size_t i) {
         Triangle& t = sorted[i] = slots_[order[i]];
@@ -229,9 +229,12 @@ void MaterialTriangles::renumber(std::span<const TriangleId> order,
             if (t.across[k] != no_triangle)
                 t.across[k] = slot[t.across[k]];
         }
-        if (t.odd())
-            t.hanging = vertex_slot[t.hanging];
     });
+    std::vector<Odd> odd;
+    for (TriangleId t = 0; t < sorted.size(); ++t)
+        if (sorted[t].odd())
+            odd.push_back({t, sorted[t].mate, vertex_slot[hanging(order[t])]});
+    odd_ = std::move(odd);
     slots_ = std::move(sorted);
     std::vector<TriangleId> of(vertex_slot.size(), no_triangle);
     std::vector<std::uint16_t> uses(vertex_slot.size(), 0);
@@ -243,9 +246,8 @@ void MaterialTriangles::renumber(std::span<const TriangleId> order,
     });
     of_ = std::move(of);
     uses_ = std::move(uses);
-    const std::ptrdiff_t odd = changes_.odd;
     changes_ = {};
-    changes_.odd = odd;
+    changes_.odd = static_cast<std::ptrdiff_t>(odd_.size());
 }
 
 std::string MaterialTriangles::violation() const {
@@ -270,6 +272,9 @@ std::string MaterialTriangles::violation() const {
             if (j == 3 || slots_[u].end(j) != here.begin(k) || slots_[u].across[j] != t)
                 return at(t, "is not known to a neighbour it knows");
         }
+        if (here.odd() && std::count_if(odd_.begin(), odd_.end(),
+                                        [t](const Odd& each) { return each.triangle == t; }) != 1)
+            return at(t, "has not one vertex that hangs on it");
         if (!here.paired())
             continue;
         const TriangleId u = here.across[here.mate];

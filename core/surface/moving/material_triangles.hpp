@@ -28,16 +28,16 @@ struct Triangle {
     /// The triangle beyond the edge from vertex[k] to vertex[k + 1], at index k.
     std::array<TriangleId, 3> across{no_triangle, no_triangle, no_triangle};
     std::uint32_t quad = 0; ///< what the pair is called; never used again within a surface
-    /// A vertex in the middle of the edge `mate` of an odd triangle, which has no other half, so that it can
-    /// be handed out as a quad.
-    VertexId hanging = no_vertex;
     /// The edge across which the other half of the quad is; `alone` without one.
     std::uint8_t mate = alone;
     bool live = false;
+    /// An odd triangle has no other half. That it can be handed out as a quad, a vertex hangs in the middle of its edge
+    /// `mate`: hanging().
+    bool is_odd = false;
 
-    bool odd() const { return hanging != no_vertex; }
+    bool odd() const { return is_odd; }
 
-    bool paired() const { return mate != alone && hanging == no_vertex; }
+    bool paired() const { return mate != alone && !is_odd; }
 
     /// Edge that begins at a vertex, 3: the triangle does not have it.
     unsigned edge_from(VertexId v) const {
@@ -165,8 +165,18 @@ class MaterialTriangles {
     /// Makes the triangle beyond edge k the other half of `t`'s quad. REQUIRES: neither has another half.
     void pair(TriangleId t, unsigned k, std::uint32_t quad);
 
-    /// Gives a triangle without another half a quad of its own.
-    void leave_odd(TriangleId t, unsigned k, VertexId hanging, std::uint32_t quad);
+    /// A triangle without another half, which vertex `hanging` is to hang on in the middle of edge k.
+    struct Odd {
+        TriangleId triangle;
+        unsigned k;
+        VertexId hanging;
+    };
+
+    /// Gives triangles without another half quads of their own.
+    void leave_odd(std::span<const Odd> triangles);
+
+    /// Returns the vertex that hangs on an odd triangle. Cost: O(log(odd triangles)).
+    VertexId hanging(TriangleId t) const;
 
     /// Takes the two halves of a quad apart, or the odd triangle's hanging vertex away.
     void part(TriangleId t, TriangleChanges& changes);
@@ -188,7 +198,7 @@ class MaterialTriangles {
         return std::exchange(next_id_, next_id_ + static_cast<std::uint32_t>(count));
     }
 
-    /// Who is first to claim a vertex, or a triangle, in a round of edits. Nobody has between rounds.
+    /// The vertices, or triangles, that the edits of a round have taken.
     Claims& claims() { return claims_; }
 
     std::uint32_t next_id() const { return next_id_; }
@@ -205,7 +215,8 @@ class MaterialTriangles {
                uses_.capacity() * sizeof(std::uint16_t) + claims_.bytes() +
                (changes_.touched.capacity() + changes_.loose.capacity() + changes_.left.capacity() +
                 changes_.free.capacity()) *
-                   sizeof(TriangleId);
+                   sizeof(TriangleId) +
+               odd_.capacity() * sizeof(Odd);
     }
 
     /// Returns the first violation of what keeps the links sound, or nothing: those of neighbours answer each
@@ -233,6 +244,7 @@ class MaterialTriangles {
     std::vector<Triangle> slots_;
     std::vector<TriangleId> of_;      ///< of vertex slots: one triangle
     std::vector<std::uint16_t> uses_; ///< of vertex slots: by triangles
+    std::vector<Odd> odd_;            ///< in the order of triangles, which may not be odd any more
     TriangleChanges changes_;
     Claims claims_;
     bool contacts_ = false;

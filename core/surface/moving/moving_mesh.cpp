@@ -1,6 +1,7 @@
 #include "core/surface/moving/moving_mesh.hpp"
 
 #include "core/base/for_each_index.hpp"
+#include "core/base/with_spare.hpp"
 
 #include <algorithm>
 
@@ -18,7 +19,6 @@ void for_each_array(MaterialVertices& v, Visit visit) {
     visit(v.end);
     visit(v.s);
     visit(v.t);
-    visit(v.place);
     visit(v.velocity);
     visit(v.birth_area);
     visit(v.id);
@@ -36,17 +36,20 @@ VertexId MaterialVertices::add(const MaterialPoint& point, VertexRole as, double
     return v;
 }
 
+void MaterialVertices::make_room(std::size_t more) {
+    const std::size_t needed = slots() + more;
+    if (needed > role.capacity())
+        for_each_array(*this, [&](auto& array) { array.reserve(with_spare(needed + 256)); });
+}
+
 std::vector<VertexId> MaterialVertices::take_slots(std::size_t count) {
     const std::size_t reused = std::min(count, free_.size());
     std::vector<VertexId> taken(free_.rbegin(),
                                 free_.rbegin() + static_cast<std::ptrdiff_t>(reused));
     free_.resize(free_.size() - reused);
-    for (; taken.size() < count; taken.push_back(static_cast<VertexId>(slots() - 1))) {
-        // The vectors grow by an eighth at a time: doubling would hold twice what the surface needs.
-        if (slots() == role.capacity())
-            for_each_array(*this, [&](auto& array) { array.reserve(slots() + slots() / 8 + 256); });
+    make_room(count - reused);
+    for (; taken.size() < count; taken.push_back(static_cast<VertexId>(slots() - 1)))
         for_each_array(*this, [](auto& array) { array.emplace_back(); });
-    }
     for (const VertexId v : taken) {
         id[v] = next_id_++;
         role[v] = VertexRole::Free;
@@ -74,7 +77,6 @@ MaterialPoint MaterialVertices::point(VertexId v) const {
     return {{position[v], along_s[v], along_t[v], double(expansion[v])},
             s[v],
             t[v],
-            place[v],
             birth_area[v],
             approximated[v] != 0,
             error[v]};
@@ -87,7 +89,6 @@ void MaterialVertices::set(VertexId v, const MaterialPoint& point) {
     expansion[v] = static_cast<float>(point.carried.expansion);
     s[v] = point.s;
     t[v] = point.t;
-    place[v] = point.place;
     birth_area[v] = point.birth_area;
     approximated[v] = point.approximated ? 1 : 0;
     error[v] = point.error;
@@ -100,7 +101,7 @@ Particles MaterialVertices::particles() {
 void MaterialVertices::renumber(std::span<const VertexId> order) {
     for_each_array(*this, [&](auto& array) {
         std::remove_reference_t<decltype(array)> sorted;
-        sorted.reserve(order.size() + order.size() / 8);
+        sorted.reserve(with_spare(order.size()));
         sorted.resize(order.size());
         for_each_index(order.size(), [&](std::size_t i) { sorted[i] = array[order[i]]; });
         array = std::move(sorted);

@@ -1,5 +1,5 @@
-// The mesh of a streak or time surface as it moves: material vertices, triangles, and the lattice in the
-// parameter rectangle. A vertex knows its place on the rake and its release time, so that it can be traced
+// The mesh of a streak or time surface as it moves: material vertices, triangles, and the rectangle of its
+// parameters. A vertex knows its place on the rake and its release time, so that it can be traced
 // again, and the surface's tangents. Structure of arrays in mesh order, as advection wants it.
 #pragma once
 
@@ -18,13 +18,6 @@ namespace wakesurf::core {
 /// The role of a vertex. Free: carried by the flow. Attached: on the rake, to be released. Unused: an empty
 /// slot.
 enum class VertexRole : std::uint8_t { Free, Attached, Unused };
-
-/// The place among the columns and rows that the surface began with: whole numbers there, fractions for
-/// inserted vertices.
-struct LatticePlace {
-    double column = 0.0;
-    double row = 0.0;
-};
 
 inline SurfaceTangents tangents_of(const Carried& at) {
     return {at.along_s, at.along_t, at.expansion};
@@ -55,8 +48,7 @@ struct VertexError {
 struct MaterialPoint {
     Carried carried;
     double s = 0.0;
-    double t = 0.0; ///< release time, or place across the patch
-    LatticePlace place;
+    double t = 0.0;          ///< release time, or place across the patch
     float birth_area = 0.0f; ///< |dx/ds x dx/dt| at release
     bool approximated = false;
     VertexError error;
@@ -64,14 +56,16 @@ struct MaterialPoint {
 
 /// A vertex takes so many bytes in all arrays.
 inline constexpr std::size_t vertex_bytes =
-    3 * sizeof(Vec3) + 3 * sizeof(double) + sizeof(CurveEnd) + sizeof(LatticePlace) +
-    sizeof(Vec3f) + 2 * sizeof(float) + 2 * sizeof(std::uint32_t) + sizeof(VertexRole) +
-    sizeof(std::uint8_t) + sizeof(VertexError);
+    3 * sizeof(Vec3) + sizeof(Vec3f) + 3 * sizeof(double) + 2 * sizeof(float) + sizeof(CurveEnd) +
+    2 * sizeof(std::uint32_t) + sizeof(VertexRole) + sizeof(std::uint8_t) + sizeof(VertexError);
 
 class MaterialVertices {
   public:
     /// Puts a vertex into an empty slot. @param time simulation time it holds at
     VertexId add(const MaterialPoint& point, VertexRole role, double time);
+
+    /// For so many vertices beyond those that there are.
+    void make_room(std::size_t more);
 
     /// Empty slots and ids for so many vertices, each to be filled by begin().
     std::vector<VertexId> take_slots(std::size_t count);
@@ -118,12 +112,13 @@ class MaterialVertices {
 
     std::size_t bytes() const;
 
+    /// The tangents lean towards each other as the flow shears: in single precision the area between them would be lost, by 2 %
+    /// where they are 1e6 times as long.
     std::vector<Vec3> position, along_s, along_t;
     std::vector<float> expansion; ///< as of Carried
     std::vector<double> time;
     std::vector<CurveEnd> end; ///< Running; Time while attached; else why it is dead
     std::vector<double> s, t;
-    std::vector<LatticePlace> place;
     std::vector<Vec3f> velocity; ///< at the surface's time, as of the last sample
     std::vector<float> birth_area;
     std::vector<std::uint32_t> id;
@@ -140,11 +135,11 @@ class MaterialVertices {
     std::uint32_t next_id_ = 0;
 };
 
-/// Columns 0..columns across the rake; a closed rake's last column is its first.
-struct RakeLattice {
-    double columns = 1.0;
+/// The rectangle of s and t. A closed rake's s = 1 is its s = 0.
+struct ParameterRectangle {
     bool closed = false;
-    double last_row = 0.0; ///< of a patch; rows of a streak surface have no last one
+    bool patch = false;   ///< t goes from 0 to 1; a streak surface has no last row
+    double first_t = 0.0; ///< of the row that was released first
     /// The sign of the area in (s, t) of the triangles in the order of their vertices: 1 or -1.
     double facing = 1.0;
 
@@ -153,15 +148,10 @@ struct RakeLattice {
         return closed ? to - from - std::round(to - from) : to - from;
     }
 
-    double columns_between(double from, double to) const {
-        return closed ? to - from - columns * std::round((to - from) / columns) : to - from;
-    }
-
     double wrapped_s(double s) const { return closed ? s - std::floor(s) : s; }
 
-    double wrapped_column(double column) const {
-        return closed ? column - columns * std::floor(column / columns) : column;
-    }
+    /// Whether the first row has this t, or the last.
+    bool on_end(double t) const { return t == first_t || (patch && t == 1.0); }
 };
 
 /// The difference of two places in the parameter rectangle.
@@ -172,11 +162,11 @@ struct ParameterStep {
 struct MovingMesh {
     MaterialVertices vertices;
     MaterialTriangles triangles;
-    RakeLattice lattice;
+    ParameterRectangle rectangle;
     double time = 0.0; ///< simulation time the living vertices hold at
 
     ParameterStep parameter_step(VertexId a, VertexId b) const {
-        return {lattice.s_between(vertices.s[a], vertices.s[b]), vertices.t[b] - vertices.t[a]};
+        return {rectangle.s_between(vertices.s[a], vertices.s[b]), vertices.t[b] - vertices.t[a]};
     }
 
     Vec3 edge(VertexId a, VertexId b) const { return vertices.position[b] - vertices.position[a]; }
@@ -197,7 +187,7 @@ inline constexpr std::size_t shown_bytes = 250;
 /// @param cuts  as many edges are about to be cut: each becomes two triangles and a vertex more
 inline std::size_t memory_while_moving(const MovingMesh& mesh, std::size_t cuts = 0) {
     const std::size_t kept = memory_of(mesh) + cuts * (2 * sizeof(Triangle) + vertex_bytes);
-    return kept + 2 * kept / 3;
+    return kept + 7 * kept / 8;
 }
 
 } // namespace wakesurf::core

@@ -77,12 +77,12 @@ MovingPlan make_plan(const MovingRequest& request, double separation) {
     carry.longest_step = flow.finest_spacing();
     carry.stagnation_speed = p.stagnation_speed * request.largest_speed;
     carry.smooth = p.interpolation == Interpolation::Smooth;
-    std::vector<double> places = seed_places(
+    std::vector<double> seeds = row_seeds(
         origin, flow, columns,
         p.refine == Refine::On ? rules.tear_size * separation : std::numeric_limits<double>::max());
     return {request,
             std::move(columns),
-            std::move(places),
+            std::move(seeds),
             rules,
             carry,
             p.to,

@@ -26,7 +26,7 @@ struct MovingRequest {
 struct MovingPlan {
     MovingRequest request;
     Columns columns;
-    std::vector<double> places; ///< of a row on the rake
+    std::vector<double> seeds; ///< of a row on the rake
     RefinementRules rules;
     AdvanceOptions carry; ///< its step is chosen anew in every step
     double end = 0.0;

@@ -154,15 +154,15 @@ Result<MovingPlan> MovingSurface::plan_within_budget(const MovingRequest& reques
 Result<bool> MovingSurface::begin(const std::stop_token& stop, const WorkPart& work) {
     const MovingPlan& plan = *state_.plan;
     MovingMesh& mesh = state_.mesh;
-    mesh.lattice = {plan.columns.count, plan.columns.closed, 0.0,
-                    plan.request.origin.patch() ? 1.0 : -time_sign(plan.request.plan.parameters)};
+    const bool patch = plan.request.origin.patch();
+    mesh.rectangle = {plan.columns.closed, patch, patch ? 0.0 : mesh.time,
+                      patch ? 1.0 : -time_sign(plan.request.plan.parameters)};
     if (!refines())
         mesh.triangles.allow_contacts();
-    if (plan.request.origin.patch()) {
+    if (patch) {
         const double rows = std::max(1.0, std::ceil(plan.request.origin.longest_across() /
                                                         (patch_spacing * state_.separation) -
                                                     1e-9));
-        mesh.lattice.last_row = rows;
         const double quads = plan.columns.count * rows;
         if (quads > static_cast<double>(plan.rules.max_quads))
             return false;
@@ -174,9 +174,7 @@ Result<bool> MovingSurface::begin(const std::stop_token& stop, const WorkPart& w
         if (const auto within = refine(mesh.time, plan.carry, stop, work); !within || !*within)
             return within;
     } else {
-        if (auto row =
-                attach_row(mesh, plan.request.origin, *flow_, plan.columns, plan.places, 0.0, stop);
-            !row)
+        if (auto row = attach_row(mesh, plan.request.origin, *flow_, plan.seeds, stop); !row)
             return tl::unexpected(row.error());
         for (VertexId v = 0; v < mesh.vertices.slots(); ++v)
             state_.terminated.obstacle += mesh.vertices.end[v] == CurveEnd::Obstacle;
@@ -385,13 +383,11 @@ Result<bool> MovingSurface::move(double now, const std::stop_token& stop, const 
 
     const auto refining = clock_->now();
     if (!released.empty() && !last_release) {
-        state_.row += 1.0;
-        const auto row =
-            attach_row(mesh, state_.plan->request.origin, *flow_, state_.plan->columns,
-                       places_behind(mesh, released, state_.plan->places), state_.row, stop);
+        const auto row = attach_row(mesh, state_.plan->request.origin, *flow_,
+                                    seeds_behind(mesh, released, *state_.plan), stop);
         if (!row)
             return tl::unexpected(row.error());
-        join_rows(mesh, *row, released);
+        join_rows(mesh, state_.plan->columns, *row, released);
     }
     state_.releasing = state_.releasing && !last_release;
     state_.fresh = v.next_id();

@@ -25,7 +25,6 @@ struct MovingState {
     std::shared_ptr<const MovingPlan> plan;
     MovingMesh mesh;
     double separation = 0.0; ///< raised by the quad budget
-    double row = 0.0;        ///< rows released so far
     double row_travel = 0.0; ///< how far the fastest particle of the newest row has gone
     bool releasing = false;  ///< the rake still has attached vertices
     std::uint64_t steps = 0;

@@ -8,27 +8,27 @@ namespace wakesurf::core {
 
 namespace {
 
+/// Of a column's number, found from its seed.
+constexpr double rounding = 1e-6;
+
 bool inside(const Origin& origin, const Flow& flow, double s, double t) {
     return flow.status(origin.position(s, t)) == PointStatus::Inside;
 }
 
-/// Adds the places between two columns of which one is inside and the other is not.
-void add_between(std::vector<double>& places,
+/// Adds the seeds between two columns of which one is inside and the other is not.
+void add_between(std::vector<double>& seeds,
                  const Origin& origin,
                  const Flow& flow,
-                 const Columns& columns,
                  double low,
                  double high,
                  double finest) {
-    const double s_low = columns.at(low);
-    const double s_high = columns.at(high);
-    if (inside(origin, flow, s_low, 0.0) == inside(origin, flow, s_high, 0.0) ||
-        glm::length(origin.position(s_high, 0.0) - origin.position(s_low, 0.0)) <= finest)
+    if (inside(origin, flow, low, 0.0) == inside(origin, flow, high, 0.0) ||
+        glm::length(origin.position(high, 0.0) - origin.position(low, 0.0)) <= finest)
         return;
     const double middle = 0.5 * (low + high);
-    add_between(places, origin, flow, columns, low, middle, finest);
-    places.push_back(middle);
-    add_between(places, origin, flow, columns, middle, high, finest);
+    add_between(seeds, origin, flow, low, middle, finest);
+    seeds.push_back(middle);
+    add_between(seeds, origin, flow, middle, high, finest);
 }
 
 void set_ends(MovingMesh& mesh, const Flow& flow, VertexId v) {
@@ -46,11 +46,12 @@ void set_ends(MovingMesh& mesh, const Flow& flow, VertexId v) {
 
 } // namespace
 
-double Columns::at(double column) const {
-    const double floor = std::min(std::floor(column), count - 1.0);
-    const auto i = static_cast<std::size_t>(floor);
+double Columns::column(double seed) const {
+    const auto after = std::upper_bound(s.begin(), s.end(), seed);
+    const auto i =
+        std::min(static_cast<std::size_t>(after - s.begin()), static_cast<std::size_t>(count)) - 1;
     const double next = i + 1 < s.size() ? s[i + 1] : 1.0;
-    return s[i] + (column - floor) * (next - s[i]);
+    return static_cast<double>(i) + (seed - s[i]) / (next - s[i]);
 }
 
 Columns make_columns(const Origin& origin, double intervals) {
@@ -64,48 +65,45 @@ Columns make_columns(const Origin& origin, double intervals) {
 }
 
 std::vector<double>
-seed_places(const Origin& origin, const Flow& flow, const Columns& columns, double finest) {
-    std::vector<double> places;
-    for (double column = 0; column < static_cast<double>(columns.s.size()); ++column) {
-        places.push_back(column);
-        if (column + 1.0 <= columns.count && flow.obstacle() &&
-            (columns.closed || column + 1.0 < static_cast<double>(columns.s.size())))
-            add_between(places, origin, flow, columns, column, column + 1.0, finest);
+row_seeds(const Origin& origin, const Flow& flow, const Columns& columns, double finest) {
+    std::vector<double> seeds;
+    for (std::size_t i = 0; i < columns.s.size(); ++i) {
+        seeds.push_back(columns.s[i]);
+        const bool last = i + 1 == columns.s.size();
+        if (flow.obstacle() && (!last || columns.closed))
+            add_between(seeds, origin, flow, columns.s[i], last ? 1.0 : columns.s[i + 1], finest);
     }
-    return places;
+    return seeds;
 }
 
 Result<std::vector<VertexId>> attach_row(MovingMesh& mesh,
                                          const Origin& origin,
                                          const Flow& flow,
-                                         const Columns& columns,
-                                         std::span<const double> places,
-                                         double row,
+                                         std::span<const double> seeds,
                                          std::stop_token stop) {
-    std::vector<double> s, t(places.size(), mesh.time);
-    for (const double place : places)
-        s.push_back(columns.at(place));
-    auto points = origin.points(flow, s, t, stop);
+    const std::vector<double> t(seeds.size(), mesh.time);
+    const auto points = origin.points(flow, seeds, t, stop);
     if (!points)
         return tl::unexpected(points.error());
     std::vector<VertexId> made;
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        (*points)[i].place = {places[i], row};
-        made.push_back(mesh.vertices.add((*points)[i], VertexRole::Attached, mesh.time));
+    for (const MaterialPoint& point : *points) {
+        made.push_back(mesh.vertices.add(point, VertexRole::Attached, mesh.time));
         set_ends(mesh, flow, made.back());
     }
     return made;
 }
 
-void join_rows(MovingMesh& mesh, std::span<const VertexId> newer, std::span<const VertexId> older) {
-    const auto& place = mesh.vertices.place;
+void join_rows(MovingMesh& mesh,
+               const Columns& columns,
+               std::span<const VertexId> newer,
+               std::span<const VertexId> older) {
+    const auto& s = mesh.vertices.s;
     std::vector<std::array<VertexId, 4>> quads;
     std::size_t next = 0;
-    const auto same_place = [&](VertexId v) { // places ascend in both rows
-        while (next < newer.size() && place[newer[next]].column < place[v].column)
+    const auto same_seed = [&](VertexId v) { // seeds ascend in both rows
+        while (next < newer.size() && s[newer[next]] < s[v])
             ++next;
-        return next < newer.size() && place[newer[next]].column == place[v].column ? newer[next]
-                                                                                   : no_vertex;
+        return next < newer.size() && s[newer[next]] == s[v] ? newer[next] : no_vertex;
     };
     const auto join = [&](VertexId new_left, VertexId new_right, VertexId old_left,
                           VertexId old_right) {
@@ -116,15 +114,16 @@ void join_rows(MovingMesh& mesh, std::span<const VertexId> newer, std::span<cons
     VertexId left = no_vertex;
     VertexId first = no_vertex;
     for (std::size_t i = 0; i < older.size(); ++i) {
-        const VertexId here = same_place(older[i]);
+        const VertexId here = same_seed(older[i]);
         if (i == 0)
             first = here;
-        else if (place[older[i]].column - place[older[i - 1]].column <= 1.0)
+        else if (columns.column(s[older[i]]) - columns.column(s[older[i - 1]]) <= 1.0 + rounding)
             join(left, here, older[i - 1], older[i]);
         left = here;
     }
-    if (mesh.lattice.closed && older.size() > 2 &&
-        place[older.back()].column + 1.0 >= mesh.lattice.columns + place[older.front()].column)
+    if (columns.closed && older.size() > 2 &&
+        columns.column(s[older.back()]) + 1.0 + rounding >=
+            columns.count + columns.column(s[older.front()]))
         join(left, first, older.back(), older.front());
 
     mesh.triangles.append(quads);
@@ -149,10 +148,9 @@ Result<void> lay_patch(MovingMesh& mesh,
         auto points = origin.points(flow, s, t, stop);
         if (!points)
             return tl::unexpected(points.error());
-        for (std::size_t i = 0; i < points->size(); ++i) {
-            (*points)[i].place = {static_cast<double>(i % across), static_cast<double>(i / across)};
-            set_ends(mesh, flow, mesh.vertices.add((*points)[i], VertexRole::Free, mesh.time));
-        }
+        mesh.vertices.make_room(points->size());
+        for (const MaterialPoint& point : *points)
+            set_ends(mesh, flow, mesh.vertices.add(point, VertexRole::Free, mesh.time));
     }
     const auto at = [&](std::size_t row, std::size_t column) {
         return static_cast<VertexId>(row * across + column % across);
@@ -275,7 +273,6 @@ Result<void> retrace(MovingMesh& mesh,
         const VertexId v = vertices[i];
         MaterialPoint point = (*born)[i];
         point.carried = {position[i], along_s[i], along_t[i], double(expansion[i])};
-        point.place = mesh.vertices.place[v];
         const double way = glm::length(position[i] - (*born)[i].carried.position);
         point.error.traced = mesh.vertices.error[v].traced;
         point.error.traced.add(tangents_of(point.carried), options.tolerance * way);

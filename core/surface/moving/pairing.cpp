@@ -385,11 +385,11 @@ bool is_poor_pair(const RefinementContext& context, TriangleId t) {
             return true;
     if (!here.odd())
         return !pairing.is_forced(t) && pairing.score(t, here.mate) < poor;
+    const VertexId hanging = mesh.triangles.hanging(t);
     const auto far = [&](VertexId v) {
-        return !(squared_length(mesh, here.hanging, v) <= context.longest_allowed());
+        return !(squared_length(mesh, hanging, v) <= context.longest_allowed());
     };
-    return mesh.vertices.dead(here.hanging) || far(here.begin(here.mate)) ||
-           far(here.end(here.mate));
+    return mesh.vertices.dead(hanging) || far(here.begin(here.mate)) || far(here.end(here.mate));
 }
 
 std::vector<TriangleId> pair_all(const RefinementContext& context,

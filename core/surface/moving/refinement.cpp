@@ -115,11 +115,13 @@ Result<void> Refinement::pair(MovingMesh& mesh) {
             made[i] = {slots[i], t.begin(k), t.end(k), k, wants_trace(mesh, slots[i])};
         },
         few_triangles);
+    std::vector<MaterialTriangles::Odd> left;
     for (std::size_t i = 0; i < odd.size(); ++i) {
-        triangles.leave_odd(odd[i], made[i].k, slots[i], triangles.take_ids(1));
+        left.push_back({odd[i], made[i].k, made[i].vertex});
         if (made[i].traced)
-            to_retrace_.push_back(slots[i]);
+            to_retrace_.push_back(made[i].vertex);
     }
+    triangles.leave_odd(left);
     if (auto traced = trace_again(mesh); !traced)
         return traced;
     // Where its own particle has gone elsewhere it is only drawn: on the edge.

@@ -89,24 +89,25 @@ std::vector<VertexId> release_row(MovingMesh& mesh) {
         row.push_back(i);
     }
     v.fresh().insert(v.fresh().end(), row.begin(), row.end());
-    std::sort(row.begin(), row.end(),
-              [&](VertexId a, VertexId b) { return v.place[a].column < v.place[b].column; });
+    std::sort(row.begin(), row.end(), [&](VertexId a, VertexId b) { return v.s[a] < v.s[b]; });
     return row;
 }
 
-std::vector<double> places_behind(const MovingMesh& mesh,
-                                  std::span<const VertexId> released,
-                                  std::span<const double> usual) {
-    std::vector<double> places;
-    for (const VertexId v : released)
-        places.push_back(mesh.vertices.place[v].column);
-    std::vector<double> all = places;
-    for (const double place : usual) {
-        const auto after = std::lower_bound(places.begin(), places.end(), place);
-        const bool near_before = after != places.begin() && place - *(after - 1) < 1.0;
-        const bool near_after = after != places.end() && *after - place < 1.0;
+std::vector<double>
+seeds_behind(const MovingMesh& mesh, std::span<const VertexId> released, const MovingPlan& plan) {
+    std::vector<double> seeds, columns;
+    for (const VertexId v : released) {
+        seeds.push_back(mesh.vertices.s[v]);
+        columns.push_back(plan.columns.column(seeds.back()));
+    }
+    std::vector<double> all = seeds;
+    for (const double seed : plan.seeds) {
+        const double column = plan.columns.column(seed);
+        const auto after = std::lower_bound(columns.begin(), columns.end(), column);
+        const bool near_before = after != columns.begin() && column - *(after - 1) < 1.0;
+        const bool near_after = after != columns.end() && *after - column < 1.0;
         if (!near_before && !near_after)
-            all.push_back(place);
+            all.push_back(seed);
     }
     std::sort(all.begin(), all.end());
     return all;
@@ -140,12 +141,11 @@ void count_the_dead(const MovingMesh& mesh,
 
 void sort_memory(MovingMesh& mesh, double share) {
     MaterialVertices& v = mesh.vertices;
+    const bool ascending = mesh.rectangle.patch || mesh.rectangle.facing < 0.0;
     const auto before = [&](VertexId a, VertexId b) {
-        const LatticePlace p = v.place[a];
-        const LatticePlace q = v.place[b];
-        return p.row != q.row         ? p.row < q.row
-               : p.column != q.column ? p.column < q.column
-                                      : v.id[a] < v.id[b];
+        return v.t[a] != v.t[b]   ? (v.t[a] < v.t[b]) == ascending
+               : v.s[a] != v.s[b] ? v.s[a] < v.s[b]
+                                  : v.id[a] < v.id[b];
     };
     using Vertices = std::vector<VertexId>;
     Vertices order = gather<VertexId>(v.slots(), [&](std::size_t i, Vertices& found) {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/surface/moving/moving_mesh.hpp"
-#include "core/surface/moving/origin.hpp"
+#include "core/surface/moving/moving_plan.hpp"
 #include "core/surface/surface_statistics.hpp"
 
 #include <span>
@@ -24,11 +24,10 @@ std::vector<VertexId> attached(const MovingMesh& mesh);
 /// Sets every living attached vertex free; returns them in order along the rake.
 std::vector<VertexId> release_row(MovingMesh& mesh);
 
-/// Places of the row to attach behind `released`: theirs, and those of `usual` that they leave out by a whole
+/// Seeds of the row to attach behind `released`: theirs, and those of the plan that they leave out by a whole
 /// column or more.
-std::vector<double> places_behind(const MovingMesh& mesh,
-                                  std::span<const VertexId> released,
-                                  std::span<const double> usual);
+std::vector<double>
+seeds_behind(const MovingMesh& mesh, std::span<const VertexId> released, const MovingPlan& plan);
 
 /// Attached vertices stay on the rake: theirs is the mesh's time.
 void move_attached(MovingMesh& mesh);
@@ -42,7 +41,7 @@ void count_the_dead(const MovingMesh& mesh,
                     std::uint32_t fresh,
                     SurfaceStatistics::Terminated& terminated);
 
-/// Puts vertices in order of row and column, and cells in that of their vertices, when more than `share` of
+/// Puts vertices in order of t and s, rows behind those released before them, and cells in that of their vertices, when more than `share` of
 /// the slots have been filled out of order: advection is three times as fast in mesh order as in random order
 /// (docs/measurements.md, The limit of the kernel).
 void sort_memory(MovingMesh& mesh, double share);

@@ -107,7 +107,7 @@ class TriangleProbe {
                 x[k][lane] = static_cast<float>(edge.x);
                 y[k][lane] = static_cast<float>(edge.y);
                 z[k][lane] = static_cast<float>(edge.z);
-                ds[k][lane] = static_cast<float>(by.mesh_.lattice.s_between(from.s, to.s));
+                ds[k][lane] = static_cast<float>(by.mesh_.rectangle.s_between(from.s, to.s));
                 dt[k][lane] = static_cast<float>(to.t - from.t);
                 for (int axis = 0; axis < 3; ++axis) {
                     tangent[static_cast<std::size_t>(axis)][k][lane] = from.along_s[axis];

@@ -34,7 +34,7 @@ void sort_by_name(std::vector<Named>& things) {
 struct Quads {
     std::vector<CellCorners> corners; ///< slots
     std::vector<Named> names;
-    std::vector<Triangle> odd;
+    std::vector<TriangleId> odd;
 };
 
 /// Visits each triangle once, in the order they have in memory: visiting from each quad's first half its
@@ -57,8 +57,9 @@ Quads quads_of(const MaterialTriangles& triangles) {
         quad[t] = static_cast<std::uint32_t>(quads.corners.size());
         quads.names.push_back({here.quad, quad[t]});
         if (here.odd()) {
-            quads.odd.push_back(here);
-            quads.corners.push_back({here.opposite(k), here.begin(k), here.hanging, here.end(k)});
+            quads.odd.push_back(t);
+            quads.corners.push_back(
+                {here.opposite(k), here.begin(k), triangles.hanging(t), here.end(k)});
         } else {
             quads.corners.push_back({here.begin(k), no_vertex, here.end(k), here.opposite(k)});
         }
@@ -67,11 +68,11 @@ Quads quads_of(const MaterialTriangles& triangles) {
 }
 
 /// The slots of vertices that are handed out, in the order of ids.
-std::vector<Named> vertices_of(const MovingMesh& mesh, std::span<const Triangle> odd) {
+std::vector<Named> vertices_of(const MovingMesh& mesh, std::span<const TriangleId> odd) {
     const MaterialVertices& v = mesh.vertices;
     std::vector<std::uint8_t> hanging(v.slots(), 0);
-    for (const Triangle& each : odd)
-        hanging[each.hanging] = 1;
+    for (const TriangleId t : odd)
+        hanging[mesh.triangles.hanging(t)] = 1;
     std::vector<Named> vertices;
     vertices.reserve(v.slots());
     for (VertexId i = 0; i < v.slots(); ++i)
@@ -86,8 +87,8 @@ std::size_t youngest(const MovingMesh& mesh, const CellCorners& corner) {
     const MaterialVertices& v = mesh.vertices;
     const auto younger = [&](std::size_t i, std::size_t k) {
         const VertexId a = corner[i], b = corner[k];
-        const double t = (v.t[b] - v.t[a]) * -mesh.lattice.facing;
-        const double s = mesh.lattice.s_between(v.s[b], v.s[a]);
+        const double t = (v.t[b] - v.t[a]) * -mesh.rectangle.facing;
+        const double s = mesh.rectangle.s_between(v.s[b], v.s[a]);
         // This has no branches: they would be unpredictable.
         return i + (k - i) * static_cast<std::size_t>((t > 0.0) | (!(t < 0.0) & (s > 0.0)));
     };
@@ -95,10 +96,8 @@ std::size_t youngest(const MovingMesh& mesh, const CellCorners& corner) {
 }
 
 /// Hangs the vertex in the middle of an odd triangle's edge on the cell beyond, where there is one.
-void hang(const MovingMesh& mesh,
-          const Triangle& odd,
-          std::span<const VertexId> place,
-          KeyedMesh& out) {
+void hang(const MovingMesh& mesh, TriangleId t, std::span<const VertexId> place, KeyedMesh& out) {
+    const Triangle& odd = mesh.triangles[t];
     const TriangleId beyond = odd.across[odd.mate];
     if (beyond == no_triangle)
         return;
@@ -108,7 +107,7 @@ void hang(const MovingMesh& mesh,
     for (std::size_t k = 0; k < 4; ++k)
         if (cell.corner[k] == place[odd.end(odd.mate)] &&
             cell.corner[(k + 1) % 4] == place[odd.begin(odd.mate)])
-            cell.mid[k] = place[odd.hanging];
+            cell.mid[k] = place[mesh.triangles.hanging(t)];
 }
 
 } // namespace
@@ -168,8 +167,8 @@ KeyedMesh snapshot(const MovingMesh& mesh,
         out.cell_id[k] = quads.names[k].name;
         out.mesh.cells[k].corner = quads.corners[quads.names[k].place];
     });
-    for (const Triangle& odd : quads.odd)
-        hang(mesh, odd, place, out);
+    for (const TriangleId t : quads.odd)
+        hang(mesh, t, place, out);
     label_components(out.mesh);
     return out;
 }

@@ -1,4 +1,5 @@
 // How a moving surface's triangles change: each edit takes a few, and those beside them.
+#include "core/base/with_spare.hpp"
 #include "core/surface/moving/material_triangles.hpp"
 
 #include <algorithm>
@@ -8,6 +9,10 @@ namespace wakesurf::core {
 std::vector<std::array<TriangleId, 2>> MaterialTriangles::slots_to_split(std::size_t count,
                                                                          std::size_t vertices) {
     make_room(vertices);
+    const std::size_t free = changes_.free.size();
+    if (const std::size_t needed = slots_.size() + 2 * count - std::min(free, 2 * count);
+        needed > slots_.capacity())
+        slots_.reserve(with_spare(needed + 512));
     std::vector<std::array<TriangleId, 2>> slots(count);
     for (auto& [first, second] : slots) {
         first = empty_slot();
@@ -235,11 +240,25 @@ void MaterialTriangles::pair(TriangleId t, unsigned k, std::uint32_t quad) {
     slots_[t].quad = slots_[u].quad = quad;
 }
 
-void MaterialTriangles::leave_odd(TriangleId t, unsigned k, VertexId hanging, std::uint32_t quad) {
-    slots_[t].mate = static_cast<std::uint8_t>(k);
-    slots_[t].hanging = hanging;
-    slots_[t].quad = quad;
-    ++changes_.odd;
+void MaterialTriangles::leave_odd(std::span<const Odd> triangles) {
+    std::erase_if(odd_, [&](const Odd& each) {
+        return !slots_[each.triangle].live || !slots_[each.triangle].odd();
+    });
+    odd_.insert(odd_.end(), triangles.begin(), triangles.end());
+    std::sort(odd_.begin(), odd_.end(),
+              [](const Odd& a, const Odd& b) { return a.triangle < b.triangle; });
+    for (const auto& [t, k, hanging] : triangles) {
+        slots_[t].mate = static_cast<std::uint8_t>(k);
+        slots_[t].is_odd = true;
+        slots_[t].quad = take_ids(1);
+    }
+    changes_.odd += static_cast<std::ptrdiff_t>(triangles.size());
+}
+
+VertexId MaterialTriangles::hanging(TriangleId t) const {
+    return std::lower_bound(odd_.begin(), odd_.end(), t,
+                            [](const Odd& each, TriangleId its) { return each.triangle < its; })
+        ->hanging;
 }
 
 void MaterialTriangles::part(TriangleId t, TriangleChanges& changes) {
@@ -247,8 +266,8 @@ void MaterialTriangles::part(TriangleId t, TriangleChanges& changes) {
     if (here.mate == Triangle::alone)
         return;
     if (here.odd()) {
-        changes.left.push_back(here.hanging);
-        here.hanging = no_vertex;
+        changes.left.push_back(hanging(t));
+        here.is_odd = false;
         --changes.odd;
     } else {
         const TriangleId other = here.across[here.mate];

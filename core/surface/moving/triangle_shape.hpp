@@ -66,7 +66,7 @@ inline double material_area(const MovingMesh& mesh, VertexId a, VertexId b, Vert
     // Rounding of the parameters may have made this of three places on one line.
     const double noise = 2e-15 * (std::abs(p.t) + std::abs(q.t) +
                                   std::abs(mesh.vertices.t[a]) * (std::abs(p.s) + std::abs(q.s)));
-    return std::abs(area) > noise ? mesh.lattice.facing * area / size : 0.0;
+    return std::abs(area) > noise ? mesh.rectangle.facing * area / size : 0.0;
 }
 
 /// Below it a triangle has next to no material.
@@ -113,11 +113,9 @@ inline bool on_rectangle_border(const MovingMesh& mesh, VertexId a, VertexId b) 
     const MaterialVertices& v = mesh.vertices;
     if (v.role[a] == VertexRole::Attached || v.role[b] == VertexRole::Attached)
         return true;
-    if (!mesh.lattice.closed && v.s[a] == v.s[b] && (v.s[a] == 0.0 || v.s[a] == 1.0))
+    if (!mesh.rectangle.closed && v.s[a] == v.s[b] && (v.s[a] == 0.0 || v.s[a] == 1.0))
         return true;
-    const double row = v.place[a].row;
-    return row == v.place[b].row &&
-           (row == 0.0 || (mesh.lattice.last_row > 0.0 && row == mesh.lattice.last_row));
+    return v.t[a] == v.t[b] && mesh.rectangle.on_end(v.t[a]);
 }
 
 } // namespace wakesurf::core

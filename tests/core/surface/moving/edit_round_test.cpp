@@ -196,10 +196,8 @@ TEST(EditRound, ManyFlipsSideBySideAreAllMadeInOneCall) {
         std::size_t count = 0;
         for (const Triangle& t : mesh.triangles.slots())
             for (unsigned k = 0; k < 3; ++k)
-                count +=
-                    t.live &&
-                    mesh.vertices.place[t.begin(k)].row < mesh.vertices.place[t.end(k)].row &&
-                    mesh.vertices.place[t.begin(k)].column < mesh.vertices.place[t.end(k)].column;
+                count += t.live && mesh.vertices.t[t.begin(k)] < mesh.vertices.t[t.end(k)] &&
+                         mesh.vertices.s[t.begin(k)] < mesh.vertices.s[t.end(k)];
         return count;
     };
     RefinementRules rules;

@@ -29,10 +29,10 @@ MaterialPoint on_wave(double s, double t) {
 template <class Point>
 MovingMesh edge(Point point, double s0, double t0, double s1, double t1, bool closed = false) {
     MovingMesh mesh;
-    mesh.lattice = {8.0, closed, 0.0, 1.0};
+    mesh.rectangle = {.closed = closed, .patch = true};
     const auto add = [&](double s, double t) {
         MaterialPoint made = point(s, t);
-        made.s = mesh.lattice.wrapped_s(s);
+        made.s = mesh.rectangle.wrapped_s(s);
         mesh.vertices.add(made, VertexRole::Free, 0.0);
     };
     const double s = s1 - s0, t = t1 - t0;
@@ -118,18 +118,15 @@ TEST(Insertion, TangentsInTheMiddleAreThoseOfTheCubicAlongTheEdge) {
         }
 }
 
-TEST(Insertion, TheMiddleIsThatOfTheParametersAndThePlaces) {
+TEST(Insertion, TheMiddleIsThatOfTheParameters) {
     const auto point = [](double s, double t) {
         MaterialPoint made = on_wave(s, t);
-        made.place = {4.0 * s, 5.0 - 2.0 * t};
         made.birth_area = static_cast<float>(8.0 * s - 1.0);
         return made;
     };
     const MaterialPoint mid = middle(edge(point, 0.25, 1.0, 0.5, 2.0));
     EXPECT_EQ(mid.s, 0.375);
     EXPECT_EQ(mid.t, 1.5);
-    EXPECT_EQ(mid.place.column, 1.5);
-    EXPECT_EQ(mid.place.row, 2.0);
     EXPECT_EQ(mid.birth_area, 2.0f);
     EXPECT_TRUE(mid.approximated);
 }
@@ -194,17 +191,14 @@ TEST(Insertion, AClosedRakesLastEdgeRunsTheShortWayRound) {
         point.carried.along_t = {0.0, 0.0, 1.0};
         point.s = s;
         point.t = t;
-        point.place.column = 8.0 * s - 8.0 * std::floor(s);
         return point;
     };
     const MaterialPoint before = middle(edge(on_ring, 0.875, 0.0, 1.0, 0.0, true));
     EXPECT_EQ(before.s, 0.9375);
-    EXPECT_EQ(before.place.column, 7.5);
     EXPECT_LT(glm::length(before.carried.position - on_ring(0.9375, 0.0).carried.position),
               1e-3); // 8 pieces of a circle by cubics: (turn / 8)^4 / 384
     const MaterialPoint past = middle(edge(on_ring, 0.9375, 0.0, 1.125, 0.0, true));
     EXPECT_EQ(past.s, 0.03125); // beyond the seam
-    EXPECT_EQ(past.place.column, 0.25);
 }
 
 } // namespace wakesurf::core::insertion_test

@@ -148,7 +148,7 @@ TEST(MaterialTriangles, AnOddTriangleLooksForAnotherHalfAfterAJoin) {
     const auto [t, k] = triangles.find(11, 12);
     const VertexId middle = insert_middle(mesh, t, k);
     triangles.part(t);
-    triangles.leave_odd(t, k, middle, triangles.take_ids(1));
+    triangles.leave_odd(std::array{MaterialTriangles::Odd{t, k, middle}});
     std::vector<TriangleId> ring;
     ASSERT_TRUE(triangles.collapsible(12, 13, ring));
     triangles.collapse(12, 13, ring);
@@ -289,7 +289,7 @@ TEST(MaterialTriangles, RenumberingIsInvisibleInTheSnapshot) {
 TEST(MaterialTriangles, KeepAllVerticesWhenMemoryIsSortedThatHangingOnesAreIn) {
     MovingMesh mesh = flat_patch(2, 2);
     mesh.triangles.part(0);
-    mesh.triangles.leave_odd(0, 2, insert_middle(mesh, 0, 2), mesh.triangles.take_ids(1));
+    mesh.triangles.leave_odd(std::array{MaterialTriangles::Odd{0, 2, insert_middle(mesh, 0, 2)}});
     const std::size_t used = mesh.vertices.used();
     sort_memory(mesh, 0.0);
     EXPECT_EQ(mesh.triangles.violation(), "");
