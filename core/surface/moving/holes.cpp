@@ -16,10 +16,11 @@ namespace {
 
 using Loop = std::vector<VertexId>;
 
-constexpr std::size_t most_edges = 64; ///< of a hole that is closed
+constexpr std::size_t most_edges = 64; ///< of a hole that is closed or opened
 /// The weight of a bridging triangle: one is made where there is no other way.
 constexpr double bridging_weight = 100.0;
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr std::size_t widest_bridge = 4; ///< triangles
 
 /// The borders of the surface, the surface to the left, in order of their smallest ids, from where that is.
 std::vector<Loop> borders(const MovingMesh& mesh) {
@@ -134,7 +135,75 @@ class Filling {
     std::vector<std::size_t> middle_;
 };
 
+/// Returns the triangles of a shortest way from a hole to a border that is none, or nothing where that is long.
+/// @param outer  for each vertex, whether it is on such a border
+std::vector<TriangleId> bridge_beside(const MaterialTriangles& triangles,
+                                      const Loop& hole,
+                                      const std::vector<bool>& outer) {
+    struct Reached {
+        TriangleId triangle;
+        std::size_t before, depth;
+    };
+
+    std::vector<Reached> reached;
+    const auto reach = [&](TriangleId t, std::size_t before, std::size_t depth) {
+        if (t != no_triangle && std::none_of(reached.begin(), reached.end(),
+                                             [&](const Reached& r) { return r.triangle == t; }))
+            reached.push_back({t, before, depth});
+    };
+    std::vector<TriangleId> fan;
+    for (const VertexId v : hole) {
+        triangles.fan(v, fan);
+        for (const TriangleId t : fan)
+            reach(t, 0, 1);
+    }
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        const Triangle& here = triangles[reached[i].triangle];
+        if (std::any_of(here.vertex.begin(), here.vertex.end(),
+                        [&](VertexId v) { return outer[v]; })) {
+            std::vector<TriangleId> bridge{reached[i].triangle};
+            for (std::size_t at = i; reached[at].depth > 1;) {
+                at = reached[at].before;
+                bridge.push_back(reached[at].triangle);
+            }
+            return bridge;
+        }
+        for (unsigned k = 0; reached[i].depth < widest_bridge && k < 3; ++k)
+            reach(here.across[k], i, reached[i].depth + 1);
+    }
+    return {};
+}
+
 } // namespace
+
+std::size_t open_holes(const RefinementContext& context) {
+    const MaterialVertices& v = context.mesh.vertices;
+    MaterialTriangles& triangles = context.mesh.triangles;
+    std::vector<Loop> loops = borders(context.mesh);
+    const auto holes = std::stable_partition(
+        loops.begin(), loops.end(), [&](const Loop& loop) { return !is_hole(context.mesh, loop); });
+    if (holes == loops.end())
+        return 0;
+    std::vector<bool> outer(v.slots(), false);
+    for (auto loop = loops.begin(); loop != holes; ++loop)
+        for (const VertexId x : *loop) // a tear does not begin at the rake
+            outer[x] = v.role[x] == VertexRole::Free;
+    const std::size_t before = triangles.live();
+    for (auto hole = holes; hole != loops.end(); ++hole) {
+        const auto any = [&](const auto& holds) {
+            return std::any_of(hole->begin(), hole->end(), holds);
+        };
+        if (hole->size() > most_edges || any([&](VertexId x) { return triangles.unused(x); }) ||
+            !any([&](VertexId x) { return beside_obstacle(context, v.position[x]); }))
+            continue;
+        for (const TriangleId t : bridge_beside(triangles, *hole, outer)) {
+            triangles.tear(t);
+            for (const VertexId x : *hole)
+                outer[x] = true;
+        }
+    }
+    return before - triangles.live();
+}
 
 std::size_t close_holes(const RefinementContext& context) {
     MovingMesh& mesh = context.mesh;

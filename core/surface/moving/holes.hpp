@@ -13,4 +13,9 @@ namespace wakesurf::core {
 /// Cost: O(triangles), and the cube of a hole's edges.
 std::size_t close_holes(const RefinementContext& context);
 
+/// Tears bridges of up to 4 triangles between a hole beside a body and a border of a streak surface, except on the rake. Such
+/// surfaces are torn from their oldest row on: the hole is a tear that has begun behind the border. Returns how many triangles
+/// it took. REQUIRES: holes that can be closed are.
+std::size_t open_holes(const RefinementContext& context);
+
 } // namespace wakesurf::core

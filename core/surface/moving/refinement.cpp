@@ -160,10 +160,12 @@ void Refinement::give_up(const RefinementContext& here, TriangleId t, unsigned k
     unresolved_ += (before - triangles.live() + 1) / 2;
 }
 
-/// Closes holes among living particles: they are not torn then.
+/// Closes holes among living particles: they are not torn then. What is left beside a body is a tear in the making.
 void Refinement::close_torn(MovingMesh& mesh) {
     const std::uint64_t quads = (close_holes(context(mesh)) + 1) / 2;
     unresolved_ -= std::min(unresolved_, quads);
+    if (!mesh.rectangle.patch && rules_.obstacle)
+        unresolved_ += (open_holes(context(mesh)) + 1) / 2;
 }
 
 /// Ends the surface where it has left the fluid.

@@ -51,17 +51,6 @@ bool barely_inside(const Flow& flow, const Vec3& point, double depth) {
     return found;
 }
 
-bool beside_obstacle(const RefinementContext& context, const Vec3& point) {
-    const double reach = at_wall * context.rules.separation;
-    if (!context.rules.obstacle || !context.flow.may_have_wall({point - reach, point + reach}))
-        return false;
-    for (const Vec3& direction : directions)
-        if (in_obstacle(context.flow, point + reach * direction) ||
-            in_obstacle(context.flow, point - reach * direction))
-            return true;
-    return false;
-}
-
 /// Says whether a place that is drawn for one of the surface is in a body, deeper than a convex wall makes it
 /// dip.
 bool is_deep(const RefinementContext& context, const Vec3& drawn, const Vec3& material) {
@@ -98,6 +87,17 @@ bool touches_boundary(const MovingMesh& mesh, TriangleId t) {
 }
 
 } // namespace
+
+bool beside_obstacle(const RefinementContext& context, const Vec3& point) {
+    const double reach = at_wall * context.rules.separation;
+    if (!context.rules.obstacle || !context.flow.may_have_wall({point - reach, point + reach}))
+        return false;
+    for (const Vec3& direction : directions)
+        if (in_obstacle(context.flow, point + reach * direction) ||
+            in_obstacle(context.flow, point - reach * direction))
+            return true;
+    return false;
+}
 
 bool crosses_obstacle(const RefinementContext& context,
                       VertexId a,

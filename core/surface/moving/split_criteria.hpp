@@ -26,6 +26,9 @@ bool crosses_obstacle(const RefinementContext& context,
                       VertexId b,
                       double squared_length);
 
+/// Returns true where an obstacle is within a quarter of the separation.
+bool beside_obstacle(const RefinementContext& context, const Vec3& point);
+
 /// Returns true where a body is in the middle of a triangle, in the same sense.
 bool covers_obstacle(const RefinementContext& context, VertexId a, VertexId b, VertexId c);
 

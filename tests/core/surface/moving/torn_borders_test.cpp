@@ -140,6 +140,8 @@ void expect_clean_tears_at_tilts(double separation, double first, double step, d
 
 TEST(TornBorders, OfACylinderHaveNoHolesBesideAndNoSpecksHoweverTheRakeIsTilted) {
     expect_clean_tears_at_tilts(0.2, 0.0, 5.0, 85.0);
+    for (const double degrees : {41.0, 44.0}) // tears that began to grow behind the border
+        expect_clean_tears_at_tilts(0.2, degrees, 1.0, degrees);
 }
 
 TEST(TornBorders, OfACylinderHaveNoHolesBesideAndNoSpecksAtHalfTheSeparation) {
