@@ -17,13 +17,14 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 
 namespace wakesurf::bench {
 
 namespace streak_frame_bench {
 
-constexpr std::size_t wanted_vertices = 100'000;
 constexpr int frames = 40; ///< the first touch of a time-step may fall into one of them: medians
+constexpr int long_frames = 12;
 constexpr double separation_in_cells = 0.3;
 constexpr double target_steps_per_second = 30.0;
 constexpr double target_million_vertex_steps = 5.0;
@@ -51,9 +52,24 @@ const core::Clock& steady_clock() {
 struct Grown {
     core::SurfaceKind kind;
     core::Accuracy accuracy;
+    std::size_t vertices = 100'000;
+    int lines = 1; ///< of the rake
 };
 
-/// Nearly across the cube, moved on until it has as many vertices as wanted.
+/// Nearly across the cube, there and back again where it has several lines.
+core::Rake rake_of(int lines) {
+    core::Rake rake{lines == 1 ? core::Rake::Kind::Line : core::Rake::Kind::Polyline, {}, 16};
+    for (int i = 0; i < lines; ++i) {
+        const core::Vec3 aside(0.0, 0.2 * i, 0.0);
+        rake.points.push_back(core::Vec3(0.7, 2.0, 3.0) + aside);
+        rake.points.push_back(core::Vec3(5.5, 4.0, 3.5) + aside);
+        if (i % 2 == 1)
+            std::swap(rake.points.back(), rake.points[rake.points.size() - 2]);
+    }
+    return rake;
+}
+
+/// Moved on until it has as many vertices as wanted.
 core::MovingSurface grown_surface(const Grown& asked) {
     const SampledFlow& sampled = sampled_slow_abc();
     core::SurfaceParameters p;
@@ -64,12 +80,12 @@ core::MovingSurface grown_surface(const Grown& asked) {
     p.to = static_cast<double>(SampledFlow::period) * sampled.interval;
     p.separation = separation_in_cells * sampled.spacing();
     p.accuracy = asked.accuracy;
-    const core::Rake rake{core::Rake::Kind::Line, {{0.7, 2.0, 3.0}, {5.5, 4.0, 3.5}}, 16};
-    auto surface = core::MovingSurface::start(core::plan_surface(*sampled.flow, rake, p).value(),
-                                              {}, steady_clock());
+    p.max_quads = 10 * asked.vertices;
+    auto surface = core::MovingSurface::start(
+        core::plan_surface(*sampled.flow, rake_of(asked.lines), p).value(), {}, steady_clock());
     if (!surface)
         throw std::runtime_error(surface.error().message);
-    while (surface->state().mesh.vertices.used() < wanted_vertices)
+    while (surface->state().mesh.vertices.used() < asked.vertices)
         step(*surface);
     return std::move(*surface);
 }
@@ -159,7 +175,7 @@ void measure(benchmark::State& state, const Grown& asked) {
 }
 
 void measure_two_threads(benchmark::State& state, const Grown& asked) {
-    core::MovingSurface by_one = on_one_core([&] { return grown_surface(asked); });
+    core::MovingSurface by_one = grown_surface(asked);
     core::MovingSurface by_two = by_one;
     tbb::task_arena one(1);
     tbb::task_arena two(2);
@@ -176,8 +192,12 @@ void measure_two_threads(benchmark::State& state, const Grown& asked) {
         };
     };
     for (auto _ : state) {
-        const std::vector<Timed> taken = interleave({turn(one, by_one), turn(two, by_two)}, frames);
+        const std::vector<Timed> taken = interleave({turn(one, by_one), turn(two, by_two)},
+                                                    asked.lines == 1 ? frames : long_frames);
         state.SetIterationTime(taken[1].median);
+        state.counters["steps_per_second"] = 1.0 / taken[1].median;
+        state.counters["predicted_steps_per_second_on_4_cores"] =
+            predicted(division, 4.0, second_thread_seconds()) / taken[0].median;
         state.counters["one_thread_ms"] = 1e3 * taken[0].median;
         state.counters["ratio_to_one_thread"] = taken[0].median / taken[1].median;
         state.counters["predicted_ratio"] = predicted(division, 2.0, second_thread_seconds());
@@ -212,6 +232,8 @@ void register_streak_frame_benchmarks() {
     add("time_frame/balanced", {core::SurfaceKind::Time, core::Accuracy::Balanced}, measure);
     add("streak_frame/two_threads/fast", fast, measure_two_threads);
     add("streak_frame/two_threads/balanced", balanced, measure_two_threads);
+    add("streak_frame/million/balanced",
+        {core::SurfaceKind::Streak, core::Accuracy::Balanced, 1'000'000, 10}, measure_two_threads);
 }
 
 } // namespace wakesurf::bench
