@@ -46,7 +46,7 @@ inline double rounded_length(double squared) {
     return its >= 0.0 ? its : std::numeric_limits<double>::infinity();
 }
 
-/// So many are asked by one thread; where there are no more, nothing is gained by asking them together.
+/// So many are asked by one thread. Where there are no more, it makes them as well.
 inline constexpr std::size_t asked_together = 32;
 /// After so many rounds one thread makes what was lost. Few are left then, unless all meet, as round one vertex.
 inline constexpr int rounds_together = 12;

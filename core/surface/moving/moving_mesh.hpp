@@ -112,8 +112,8 @@ class MaterialVertices {
 
     std::size_t bytes() const;
 
-    /// The tangents lean towards each other as the flow shears: in single precision the area between them would be lost, by 2 %
-    /// where they are 1e6 times as long.
+    /// The tangents lean towards each other as the flow shears: in single precision the area between them was off by 2 % where the
+    /// product of their lengths is 4e6 times it.
     std::vector<Vec3> position, along_s, along_t;
     std::vector<float> expansion; ///< as of Carried
     std::vector<double> time;

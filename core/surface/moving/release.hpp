@@ -41,9 +41,9 @@ void count_the_dead(const MovingMesh& mesh,
                     std::uint32_t fresh,
                     SurfaceStatistics::Terminated& terminated);
 
-/// Puts vertices in order of t and s, rows behind those released before them, and cells in that of their vertices, when more than `share` of
-/// the slots have been filled out of order: advection is three times as fast in mesh order as in random order
-/// (docs/measurements.md, The limit of the kernel).
+/// Puts vertices in order of t and s, each row behind those released before it, and cells in that of their
+/// vertices, when more than `share` of the slots have been filled out of order: advection is three times as fast
+/// in mesh order as in random order (docs/measurements.md, The limit of the kernel).
 void sort_memory(MovingMesh& mesh, double share);
 
 } // namespace wakesurf::core
