@@ -5,7 +5,8 @@
 #include "core/integrate/advance_curve.hpp"
 #include "core/integrate/advance_particle.hpp"
 
-#include <array>
+#include <glm/mat2x3.hpp>
+
 #include <cstddef>
 #include <stop_token>
 #include <utility>
@@ -18,8 +19,8 @@ concept FieldInSeries = requires {
     &Field::series_steps;
 };
 
-/// Steps that carry a particle's tangents with it, w' = (grad v) w by the midpoint rule over either half of a
-/// step, in the cell of its series: no point has to be found for them.
+/// Steps that carry with a particle its tangents, w' = (grad v) w, by the classic Runge-Kutta formula, and how
+/// much the fluid expands, by the midpoint rule. All of it in the cell of the series: no point has to be found.
 template <class Steps>
 class CarryingSteps {
   public:
@@ -33,21 +34,32 @@ class CarryingSteps {
         const StepOutcome outcome = steps_.attempt(curve, left, step);
         if (outcome != StepOutcome::Taken)
             return outcome;
-        const double half = 0.5 * step.dt;
-        const double start = curve.release + curve.last.time;
-        std::array w{carried_.along_s, carried_.along_t};
-        for (const double middle : {0.25, 0.75}) {
-            const auto slope = steps_.gradient(step, middle, start + middle * step.dt);
-            for (Vec3& each : w)
-                each += half * slope(each + 0.5 * half * slope(each));
+        constexpr int parts = [] {
+            if constexpr (requires { Steps::tangent_steps; })
+                return Steps::tangent_steps;
+            else
+                return 1;
+        }();
+        constexpr double part = 1.0 / parts;
+        const double time = curve.release + curve.last.time;
+        const auto gradient = [&](double theta) {
+            return steps_.gradient(step, theta, time + theta * step.dt);
+        };
+        const auto change = [&](const auto& slope, const glm::dmat2x3& w) {
+            return part * step.dt * glm::dmat2x3(slope(w[0]), slope(w[1]));
+        };
+        glm::dmat2x3 w(carried_.along_s, carried_.along_t);
+        for (double theta = 0.0; theta < 1.0; theta += part) {
+            const auto k1 = change(gradient(theta), w);
+            const auto middle = gradient(theta + 0.5 * part);
+            carried_.expansion += part * step.dt * divergence_of(middle);
+            const auto k2 = change(middle, w + 0.5 * k1);
+            const auto k3 = change(middle, w + 0.5 * k2);
+            w += (k1 + 2.0 * (k2 + k3) + change(gradient(theta + part), w + k3)) / 6.0;
         }
         carried_.along_s = w[0];
         carried_.along_t = w[1];
         return outcome;
-    }
-
-    auto gradient(const CurveStep& step, double theta, double time) const {
-        return steps_.gradient(step, theta, time);
     }
 
     double inside_until(const CurveStep& step, PointStatus& met) const {
@@ -77,19 +89,22 @@ bool advance_in_series(const Field& field,
     trace.longest_step = options.longest_step;
     trace.stagnation_speed = options.stagnation_speed;
     trace.most_steps = options.most_steps;
-    trace.expansion = tangents;
+    trace.expansion = false; // CarryingSteps finds it
     Curve way;
     way.last.position = way.seed = at.carried.position;
     way.release = at.time;
     way.duration = to - at.time;
     const auto go = [&](auto steps) {
         return advance_steps(std::move(steps), way, trace, way.duration, stop,
-                             [&](const CurveStep& step) {
-                                 at.carried.expansion += double(step.expansion);
-                                 return true;
-                             });
+                             [](const CurveStep&) { return true; });
     };
-    auto steps = field.series_steps(trace, way.duration < 0.0 ? -1.0 : 1.0);
+    const double sign = way.duration < 0.0 ? -1.0 : 1.0;
+    auto steps = [&] {
+        if constexpr (requires { field.particle_steps(trace, sign); })
+            return field.particle_steps(trace, sign);
+        else
+            return field.series_steps(trace, sign);
+    }();
     const bool whole =
         tangents ? go(CarryingSteps(std::move(steps), at.carried)) : go(std::move(steps));
     at.carried.position = way.last.position;

@@ -14,8 +14,9 @@
 namespace wakesurf::core {
 
 /// The position in units of the cell as a polynomial in time: the sum of term[k] t^k.
-struct PathSeries {
-    static constexpr std::size_t order = 5;
+template <std::size_t Order>
+struct PathSeriesOf {
+    static constexpr std::size_t order = Order;
     std::array<std::array<double, 3>, order + 1> term;
 
     double at(std::size_t axis, double t) const {
@@ -31,13 +32,21 @@ struct PathSeries {
             sum = sum * t + static_cast<double>(k) * term[k][axis];
         return sum;
     }
+
+    /// Returns a term in the units of space, of a cell that has this size.
+    Vec3 sized(std::size_t k, const Vec3& size) const {
+        return Vec3(term[k][0], term[k][1], term[k][2]) * size;
+    }
 };
+
+/// The series that has dense output.
+using PathSeries = PathSeriesOf<5>;
 
 /// Returns the largest error of the series after time `t`, over t: what the dense output leaves out of the
 /// last term, and the term after it.
 inline double series_error(const PathSeries& path, const Vec3& size, double t) {
     const auto square_of = [&](std::size_t k) {
-        const Vec3 term = Vec3(path.term[k][0], path.term[k][1], path.term[k][2]) * size;
+        const Vec3 term = path.sized(k, size);
         return glm::dot(term, term);
     };
     const double last = std::sqrt(square_of(5));
@@ -49,24 +58,25 @@ inline double series_error(const PathSeries& path, const Vec3& size, double t) {
 
 /// Returns how far the series' end after time `t` may be off by the terms after the last one. One that
 /// happens to be small says nothing of the next, so they grow as fast as any of the last three did.
-inline double end_error(const PathSeries& path, const Vec3& size, double t) {
-    const auto length_of = [&](std::size_t k) {
-        return glm::length(Vec3(path.term[k][0], path.term[k][1], path.term[k][2]) * size);
-    };
-    const double last = length_of(5);
-    const double fourth = std::max(length_of(4), std::sqrt(length_of(3) * last));
-    const double third = std::max(length_of(3), std::sqrt(length_of(2) * fourth));
-    if (!(third > 0.0 && fourth > 0.0))
+template <std::size_t Order>
+double end_error(const PathSeriesOf<Order>& path, const Vec3& size, double t) {
+    const auto length_of = [&](std::size_t k) { return glm::length(path.sized(k, size)); };
+    const double last = length_of(Order);
+    const double before = std::max(length_of(Order - 1), std::sqrt(length_of(Order - 2) * last));
+    const double earlier = std::max(length_of(Order - 2), std::sqrt(length_of(Order - 3) * before));
+    if (!(earlier > 0.0 && before > 0.0))
         return 0.0;
-    const double growth = t * std::max(last / fourth, fourth / third);
-    const double power = t * t * t * t;
-    return growth * std::max(last * t, fourth * growth) * power / std::max(1.0 - growth, 0.1);
+    const double growth = t * std::max(last / before, before / earlier);
+    double power = t;
+    for (std::size_t k = 2; k < Order; ++k)
+        power *= t;
+    return growth * std::max(last * t, before * growth) * power / std::max(1.0 - growth, 0.1);
 }
 
 /// True where the series is so good that its error need not be known: were each term as large as the one
 /// before.
 inline bool surely_within(const PathSeries& path, const Vec3& size, double t, double allowed) {
-    const Vec3 last = Vec3(path.term[5][0], path.term[5][1], path.term[5][2]) * size;
+    const Vec3 last = path.sized(5, size);
     const double power = t * t * t * t;
     return glm::dot(last, last) * power * power <= allowed * allowed;
 }
@@ -80,10 +90,9 @@ dense_output(const PathSeries& path, const Vec3& lo, const Vec3& size, double ar
     std::array<glm::dvec4, 5> m;
     double power = 1.0;
     const double t5 = t * t * t * t * t;
-    const Vec3 last = Vec3(path.term[5][0], path.term[5][1], path.term[5][2]) * size * t5;
+    const Vec3 last = path.sized(5, size) * t5;
     for (std::size_t k = 0; k < 5; ++k) {
-        const Vec3 term = Vec3(path.term[k][0], path.term[k][1], path.term[k][2]) * size * power +
-                          quartic[k] * last;
+        const Vec3 term = path.sized(k, size) * power + quartic[k] * last;
         m[k] = glm::dvec4(term, 0.0);
         power *= t;
     }

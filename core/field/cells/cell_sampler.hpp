@@ -93,10 +93,11 @@ class Meridian {
 };
 
 class CellSamplerCursor;
-template <class Cursor>
+template <class Cursor, std::size_t Order>
 class CellStepsOf;
-using CellSteps = CellStepsOf<CellSamplerCursor>;
-using SharedCellSteps = CellStepsOf<const CellSamplerCursor&>;
+using CellSteps = CellStepsOf<CellSamplerCursor, PathSeries::order>;
+using SharedCellSteps = CellStepsOf<const CellSamplerCursor&, PathSeries::order>;
+using CellParticleSteps = CellStepsOf<const CellSamplerCursor&, CellPath::most>;
 struct TraceOptions;
 
 /// Keeps no state: every call finds its cell again. Particles take a cursor. Thread safety: concurrent calls
@@ -154,8 +155,11 @@ class CellSamplerCursor {
     /// Begins with another particle: see CellCursor.
     void restart(std::uint32_t guess = CellCursor::nowhere) const { place_.restart(guess); }
 
-    /// Returns the steps of the particle that has the cursor.
+    /// Returns the steps of the curve that has the cursor.
     SharedCellSteps series_steps(const TraceOptions& options, double sign) const;
+
+    /// Returns the steps of a particle of whose way nothing is kept: only their ends are as exact as the options ask.
+    CellParticleSteps particle_steps(const TraceOptions& options, double sign) const;
 
     Vec3 velocity(const Vec3& p, double t) const {
         if (!go_to(p, false))
@@ -222,8 +226,8 @@ class CellSamplerCursor {
 
     Vec3 derivative(const Vec3& p, double t, const Vec3& w) const { return gradient(p, t)(w); }
 
-    /// The path of a particle that is at `p`, inside, at field time `t`. @param sign  +1 downstream, -1
-    /// upstream
+    /// The path of a particle that is at `p`, inside, at field time `t`. It is used before anything else is.
+    /// @param sign  +1 downstream, -1 upstream
     CellPath path(const Vec3& p, double t, double sign, bool frozen) const {
         go_to(p, true);
         const Fit& fit = fit_[here_];
@@ -231,17 +235,20 @@ class CellSamplerCursor {
         if (field_.velocity1)
             velocity = {&fit.now, &fit.change, (t - field_.time0) / field_.interval,
                         frozen ? 0.0 : sign / field_.interval};
-        if (!meridian_)
-            return cell_path(place_.geometry(), velocity, p, place_.local(), sign);
-        CellPath path =
-            cell_path(place_.geometry(), velocity, meridian_.enter(p), place_.local(), sign);
-        path.space.term[0] = {p.x, p.y, p.z};
-        for (std::size_t k = 1; k <= PathSeries::order; ++k) {
-            auto& term = path.space.term[k];
-            const Vec3 turned = meridian_.back({term[0], term[1], term[2]});
-            term = {turned.x, turned.y, turned.z};
-        }
-        return path;
+        return {place_.geometry(), velocity, place_.local(), sign};
+    }
+
+    /// Returns the series of a path from `p` up to t^To. REQUIRES: the terms up to t^From have been asked for.
+    template <std::size_t From, std::size_t To>
+    CellSeries<To> series(CellPath& path, const Vec3& p) const {
+        CellSeries<To> found = path.series<From, To>();
+        if (meridian_)
+            for (auto& term : found.space.term) {
+                const Vec3 turned = meridian_.back({term[0], term[1], term[2]});
+                term = {turned.x, turned.y, turned.z};
+            }
+        found.space.term[0] = {p.x, p.y, p.z};
+        return found;
     }
 
     /// Returns how far the particle at `p`, inside, goes in a time t >= 0, if it stays in its cell and the

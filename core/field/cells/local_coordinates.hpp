@@ -49,19 +49,20 @@ inline Vec3 node_local(CellShape shape, std::size_t i) {
 
 /// Returns how far a point lies beyond each face, negative inside, in the order of MeshCell::beyond. Entries
 /// past the shape's own are below every other.
-inline std::array<double, 6> beyond_faces(CellShape shape, const Vec3& u) {
-    constexpr double none = -1e300;
+/// @param one  0: `u` is a difference of points, and so is the result, without the rounding of a place's size
+inline std::array<double, 6> beyond_faces(CellShape shape, const Vec3& u, double one = 1.0) {
+    const double none = -1e300 * one;
     switch (shape) {
     case CellShape::Tetrahedron:
-        return {-u.y, u.x + u.y + u.z - 1.0, -u.x, -u.z, none, none};
+        return {-u.y, u.x + u.y + u.z - one, -u.x, -u.z, none, none};
     case CellShape::Pyramid:
-        return {-u.z, -u.y, u.x + u.z - 1.0, u.y + u.z - 1.0, -u.x, none};
+        return {-u.z, -u.y, u.x + u.z - one, u.y + u.z - one, -u.x, none};
     case CellShape::Wedge:
-        return {-u.z, u.z - 1.0, -u.y, u.x + u.y - 1.0, -u.x, none};
+        return {-u.z, u.z - one, -u.y, u.x + u.y - one, -u.x, none};
     case CellShape::Hexahedron:
         break;
     }
-    return {-u.x, u.x - 1.0, -u.y, u.y - 1.0, -u.z, u.z - 1.0};
+    return {-u.x, u.x - one, -u.y, u.y - one, -u.z, u.z - one};
 }
 
 /// The face a point is farthest beyond; of equals the first.

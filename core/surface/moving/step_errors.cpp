@@ -113,7 +113,7 @@ Result<void> StepSample::learn(StepErrors& errors,
         return {};
     options.step = 0.5 * h;
     const double tolerance = options.tolerance;
-    options.tolerance /= 32.0; // halves the steps of Dopri5
+    options.tolerance /= 32.0; // halves steps of fifth order
     if (auto advanced = flow.advance({position_, {}, {}, time_, end_}, mesh.time, options, stop);
         !advanced)
         return tl::unexpected(advanced.error());

@@ -109,11 +109,11 @@ TEST(SlidingParticles, ThatTakeTooManyStepsEndAndSaySo) {
     AdvanceOptions options{
         .method = AdvanceOptions::Method::Dopri5, .longest_step = 0.5, .most_steps = 50};
     ParticleState slides{{{0.05, 0.93, 0.4}, Vec3(1, 0, 0), Vec3(0, 1, 0)}, 0.0, CurveEnd::Running};
-    EXPECT_TRUE(advance_in_series(field.sampler(), slides, 3.5, options, true));
+    EXPECT_TRUE(advance_in_series(field.sampler().cursor(), slides, 3.5, options, true));
     EXPECT_EQ(slides.end, CurveEnd::Budget);
     EXPECT_LT(slides.time, 3.5);
     ParticleState passes{{{0.05, 0.2, 0.4}, Vec3(1, 0, 0), Vec3(0, 1, 0)}, 0.0, CurveEnd::Running};
-    EXPECT_TRUE(advance_in_series(field.sampler(), passes, 1.0, options, true));
+    EXPECT_TRUE(advance_in_series(field.sampler().cursor(), passes, 1.0, options, true));
     EXPECT_EQ(passes.end, CurveEnd::Running);
     EXPECT_EQ(passes.time, 1.0);
 }
@@ -124,7 +124,8 @@ TEST(SlidingParticles, StopOnTheirWay) {
     stop.request_stop();
     AdvanceOptions options{.method = AdvanceOptions::Method::Dopri5, .longest_step = 0.5};
     ParticleState at{{{0.05, 0.93, 0.4}, Vec3(0.0), Vec3(0.0)}, 0.0, CurveEnd::Running};
-    EXPECT_FALSE(advance_in_series(field.sampler(), at, 3.5, options, false, stop.get_token()));
+    EXPECT_FALSE(
+        advance_in_series(field.sampler().cursor(), at, 3.5, options, false, stop.get_token()));
 }
 
 TEST(SlidingParticles, AWallIsSaidToBeNearWhereverAnEdgeBetweenFluidEndsGoesThroughIt) {
